@@ -3,10 +3,10 @@
 #include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/fresnel.h"
+#include "render/texture/metallic.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace texture {
 
@@ -14,14 +14,6 @@ float opacity(const scene::Color& c, bool legacy)
 {
     if (!legacy) return 1.0f - c.filter - c.transmit;
     return 1.0f - (c.filter * std::max({c.red, c.green, c.blue}) + c.transmit);
-}
-
-double grazing_weight(double cosine)
-{
-    if (cosine >= 1.0) return 0.0;
-    const double x = numbers::acos(std::max(cosine, -1.0)) / (std::numbers::pi / 2.0);
-    const double q = x - 1.12;
-    return std::clamp(0.014567225 / (q * q) - 0.011612903, 0.0, 1.0);
 }
 
 namespace {
@@ -56,7 +48,7 @@ namespace {
 
 glm::vec3 metallic_tint(float amount, double cosine, const scene::Color& pigment)
 {
-    const auto share = static_cast<float>(static_cast<double>(amount) * (1.0 - grazing_weight(cosine)));
+    const auto share = static_cast<float>(metallic_share(static_cast<double>(amount), cosine));
     return glm::vec3(1.0f) + share * (pigment.rgb() - 1.0f);
 }
 

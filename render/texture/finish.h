@@ -21,9 +21,6 @@ inline glm::vec3 past_layer(glm::vec3 light, const scene::Color& c, const Finish
     return light;
 }
 
-/// W of 7.8: 0 head-on, 1 at grazing angles; `cosine` of the angle to the normal.
-double grazing_weight(double cosine);
-
 /// c^n for a cosine is below 1e-13, and no picture shows it: c^n <= exp(-n (1 - c)).
 inline constexpr double kVanishes = 30.0;
 inline bool highlight_vanishes(double c, double n) { return n * (1.0 - c) > kVanishes; }

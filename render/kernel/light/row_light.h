@@ -8,6 +8,7 @@
 #include "render/kernel/light/highlight_lanes.h"
 #include "render/kernel/record/recorder.h"
 #include "render/kernel/tile/nearly_zero.h"
+#include "render/texture/metallic.h"
 
 #include <algorithm>
 
@@ -54,6 +55,27 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
     if ((on & at.raised) != 0) raise_intensities(at, on & at.raised, intensity);
 }
 
+/// Of hits with metallic finishes, how much of their pigments tints a highlight; 0 of all others.
+[[gnu::noinline]] inline void find_tints(const RowPage& at, const double* const (&n)[3], HitMask tinted,
+                                         const TileLight& light, TileFloats& share)
+{
+    using csg::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    alignas(64) TileLanes metallic{};
+    for_each_hit(tinted, [&](std::size_t k) { metallic[k] = static_cast<double>(at.finish[k]->metallic); });
+    share.fill(0.0f);
+    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+        const HitMask here = tinted & kVector << i;
+        if (here == 0) continue;
+        const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+        const Double cosine = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
+                              get(n[2]) * get(light.z.data());
+        alignas(64) std::array<double, csg::lanes::kDoubles> found;
+        texture::metallic_share(get(metallic.data()), cosine).store_aligned(found.data());
+        for_each_hit(here, [&](std::size_t k) { share[k] = static_cast<float>(found[k - i]); });
+    }
+}
+
 /// Zeroes the places behind the last vector of so many hits, which each_place() goes through with it.
 inline void clear_last(int count, TileLanes& of)
 {
@@ -92,28 +114,28 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
         each_place(rays.count,
                    [&](std::size_t k) { strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f; });
     }
-    const HitMask tinted = at.tinted & shiny;
-    const LaneMask gains(on & ~tinted), has_diffuse(at.lit);
+    const LaneMask gains(on), has_diffuse(at.lit);
     const auto gain = [&](auto&& highlight) {
         for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
             const float *pigment = (at.pigment.*channel).data(), *color = (scratch.lamp.reaching.*channel).data();
             float* gained = (at.gained.*channel).data();
             each_place(rays.count, [&](std::size_t k) {
                 const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
-                gained[k] = gains[k] != 0 ? gained[k] + (from_diffuse + highlight(k, color[k])) : gained[k];
+                const float sum = from_diffuse + highlight(k, color[k], pigment[k]);
+                gained[k] = gains[k] != 0 ? gained[k] + sum : gained[k];
             });
         }
     };
-    if (shiny == 0) return gain([](std::size_t, float) { return 0.0f; });
-    gain([&](std::size_t k, float color) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
-    for_each_hit(tinted, [&](std::size_t k) {
-        const glm::vec3 color = scratch.lamp.reaching[k], rgb = at.pigment[k];
-        glm::vec3 sum = has(at.lit, k) ? diffuse[k] * rgb * color : glm::vec3(0);
-        const glm::dvec3 normal{n[0][k], n[1][k], n[2][k]};
-        if (strength[k] != 0.0f)
-            sum += strength[k] * texture::highlight_color(*at.finish[k], color, scene::Color::of(rgb), normal,
-                                                          scratch.lamp.light.direction(k));
-        at.gained.set(k, at.gained[k] + sum);
+    if (shiny == 0) return gain([](std::size_t, float, float) { return 0.0f; });
+    const HitMask tinted = at.tinted & shiny;
+    if (tinted == 0)
+        return gain(
+            [&](std::size_t k, float color, float) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
+    alignas(64) TileFloats share;
+    find_tints(at, n, tinted, scratch.lamp.light, share);
+    gain([&](std::size_t k, float color, float pigment) {
+        const float tint = share[k] != 0.0f ? 1.0f + share[k] * (pigment - 1.0f) : 1.0f;
+        return strength[k] != 0.0f ? strength[k] * (color * tint) : 0.0f;
     });
 }
 
