@@ -7,11 +7,8 @@
 
 namespace parser {
 
-/// What a scene would have written, with Options::write_nothing: it is read again from here. By path as written,
-/// without
-/// "." and "..".
-///
-/// Texts that an editor has not written yet lie here as well.
+/// Files in memory, by their path as written without "." and "..": with Options::write_nothing what the scene would
+/// have written, so that it can read it again, and texts that an editor has not saved yet.
 class KeptFiles {
 public:
     using Texts = std::map<std::string, std::string>;
