@@ -14,7 +14,8 @@ public:
     using Texts = std::map<std::string, std::string>;
     /// \param texts  Options::texts
     explicit KeptFiles(const Texts* texts = nullptr) : texts_(texts) {}
-    /// The text of a file opened for writing. \param append  begins with what the file on disk holds
+    /// The text of a file opened for writing.
+    /// \param append  begins with what the file on disk holds
     std::shared_ptr<std::string> open(const std::string& path, bool append);
     bool has(const std::string& path) const { return find(path) != nullptr; }
     /// From here, or else from disk; nothing where neither has it.

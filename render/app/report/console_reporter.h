@@ -62,7 +62,8 @@ private:
 
 std::unique_ptr<ConsoleReporter> make_reporter(const Settings& settings, Streams& streams);
 
-/// An error of the options, before there is anything to tell of. \param command_line as it was given
+/// An error of the options, before there is anything to tell of.
+/// \param command_line  as it was given
 void tell_option_error(ConsoleStyle style, const std::string& command_line, const std::string& text);
 
 }  // namespace app

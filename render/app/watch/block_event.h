@@ -9,7 +9,8 @@
 namespace app {
 
 /// A block of one pass as JSON: its samples, as the picture's file would have them, in base64.
-/// \param pass its number, \param picture of that pass, which covers the view whatever its size
+/// \param pass  its number
+/// \param picture  of that pass, which covers the view whatever its size
 std::string block_event(int generation, int pass, const trace::Block& block, const image::Image& picture,
                         const image::Encoding& encoding);
 

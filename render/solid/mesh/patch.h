@@ -15,8 +15,8 @@ struct FaceCut {
     bool sharp = false;
 };
 
-/// \param lone the corner on its own side of the boundary \param p, q where the surface passes through the edges
-/// from `lone` to m and n
+/// \param lone  the corner on its own side of the boundary
+/// \param p,  q where the surface passes through the edges from `lone` to m and n
 FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone, const glm::dvec3& m,
                  const glm::dvec3& n, bool lone_inside, const SurfacePoint& p, const SurfacePoint& q);
 
