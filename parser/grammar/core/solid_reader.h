@@ -79,7 +79,8 @@ std::vector<Form> written_solids();
 /// A solid's keyword and block.
 Form solid_form(Kind keyword, Form head);
 
-// Whether the object's solid has a use for `sturm` and for `hierarchy`, and whether `inverse` has no effect on it.
+// Whether `sturm` and `hierarchy` may stand among the modifiers of the object's solid, and whether `inverse` is
+// ignored.
 bool takes_sturm(const scene::Object& object);
 bool takes_hierarchy(const scene::Object& object);
 bool forgets_inverse(const scene::Object& object);
