@@ -1,15 +1,16 @@
 #!/usr/bin/python3
-"""Looks for scenes that Whittle renders slowly beside POV-Ray, without end.
+"""Looks for scenes that Whittle renders slowly in comparison with POV-Ray.
 
 usage: bench/hunt.py [--seeds A-B] [--only CLASS] [--resume] [--log FILE]     tries the scenes of seeds A to B and ranks the log
        bench/hunt.py --rank [--memory] [--worst 20] [--profile]               ranks what the log has, by ratio or by memory
-       bench/hunt.py --print CLASS SEED                                       the scene's text; its options, if any, are told on stderr
-       bench/hunt.py --classes                                                the names that --only takes, two of them with a +
+       bench/hunt.py --print CLASS SEED                                       prints the scene's text, and its options, if any, on stderr
+       bench/hunt.py --classes                                                the names that --only takes; two of them are joined by +
 
-A seed draws one or two features of the language and a scene heavy with them. Counted are processor seconds of whole runs at
-320x240, one thread; a scene counts if POV-Ray renders it in 0.1 s or more and in less than --limit. A picture of 160x120
-comes first: where that is --enough times as fast as POV-Ray's, a large one is not made (--full makes all). What Whittle alone
-refuses or does not finish is a find, too. --profile asks perf for the three longest functions of the worst. See README.md.
+A seed draws one or two features of the language and a scene that is heavy with them. What counts is the processor seconds of the
+whole run at 320x240 on one thread, of scenes that POV-Ray renders in 0.1 s or more and in less than --limit. A picture of 160x120
+comes first: where Whittle is --enough times as fast there, the large one is left out (--full renders all of them). A scene that
+Whittle alone refuses or does not finish is a find, too. --profile asks perf for the three longest functions of the worst scenes.
+See README.md.
 """
 import argparse
 import pathlib

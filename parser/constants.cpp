@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kLongestText = 4'000'000;  // bytes
 
-/// The number behind `#declare NAME =`, if that is all there is. \param at of the sign that ends the name
+/// The number behind `#declare NAME =`, if that is all there is.
+/// \param at  of the sign that ends the name
 std::optional<double> number_behind(const std::vector<Token>& tokens, std::size_t at)
 {
     if (at + 2 >= tokens.size() || tokens[at].kind != Kind::Equal) return {};

@@ -13,7 +13,7 @@ namespace embree_bench {
 
 namespace {
 
-/// Embree's own advice: numbers next to zero count as zero while it is asked.
+/// Flushes denormal numbers to zero while Embree is asked, as its manual recommends.
 class FlushToZero {
 public:
     FlushToZero() : before_(_mm_getcsr())
@@ -55,7 +55,7 @@ struct Device {
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
-    /// Room in the geometry for so many groups of numbers, `each` of them together.
+    /// A new buffer of the geometry for `many` groups of `each` numbers.
     template <class T>
     static T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t each, std::size_t many)
     {

@@ -1,4 +1,4 @@
-"""Work while reading: loops, macros, arrays, texts, functions, splines and questions to objects."""
+"""Scenes whose time goes into reading: loops, macros, arrays, strings, functions, splines, and trace() and inside() of objects."""
 from rng import lines
 from words import common
 from words.expressions import Names, condition, number, text, vector
@@ -7,7 +7,7 @@ from hunting.sizes import drawn, loop
 
 
 def named(r):
-    """Names that expressions may use, and their declarations."""
+    """(Names that expressions may use, the text that declares them)."""
     names = Names()
     names.floats, names.vectors = ["I", "F"], ["V"]
     return names, f"#declare F = {r.num(-2, 2)}; #declare V = {r.vec(-1, 1)};"
@@ -45,7 +45,7 @@ def words(r):
 
 
 def asked(r):
-    """Objects that are asked while reading where rays meet them and what is inside."""
+    """An object that is asked while the scene is read, by trace(), inside() or its extents."""
     word, body = common.solid(r, 1)
     count = r.amount(2, 800)
     solid = r.pick(f"{word} {{ {body} }}", f"union {{ {loop(count, f'{word} {{ {body} scale .1 translate <{drawn(-1, 1)}, {drawn(-1, 1)}, {drawn(-1, 1)}> }}', 'K')} }}",
@@ -57,7 +57,7 @@ def asked(r):
 
 
 def sampled(r):
-    """Functions, pigments and splines that are asked while reading."""
+    """Functions, pigments and splines that are evaluated while the scene is read."""
     function = r.pick("function { pigment { granite turbulence .3 color_map { [0 rgb 0] [1 rgb <1, .5, .2>] } } }", "function { pattern { crackle turbulence .2 } }", "function { sin(x*9)*cos(y*7) + pow(abs(z), 1.7) }",
                       "function { f_noise3d(x*3, y*3, z*3)*.5 + select(x, y, z)*.1 }")
     call = r.pick("F0(A, B, C).x", "F0(A, B, C).gray") if "pigment" in function else "F0(A, B, C)"

@@ -38,7 +38,8 @@ QuadPolynomial power(const QuadPolynomial& p, int n)
     return made;
 }
 
-/// Powers 0 to n by repeated multiplication, or where first asked for.
+/// Powers 0 to n of a polynomial: each worked out by power() when it is first asked for, or, for the plain judge, all
+/// at once by repeated multiplication.
 class Powers {
 public:
     Powers(const QuadPolynomial& base, int n)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Counts anew what the branches and calls of the kernels are taken for: writes kernels.proftext beside this file.
+"""Writes kernels.proftext beside this file: the profile (counts of branches and calls) that the kernels are optimised with.
 
 usage: cmake/profile/train.py
 
@@ -27,7 +27,10 @@ def scenes():
 
 
 def render(level, folder):
-    """One after the other: counts of two at once would be added to the same file. Returns the scenes that failed."""
+    """Renders all scenes with one kernel, one after the other, because two at once would write to the same file of counts.
+
+    Returns the scenes that failed.
+    """
     failed = []
     environment = dict(os.environ, LLVM_PROFILE_FILE=f"{folder}/{level}_%m.profraw")
     for scene in scenes():
@@ -48,7 +51,7 @@ def main():
         counts = sorted(pathlib.Path(folder).glob("*.profraw"))
         if len(counts) < len(LEVELS):
             sys.exit("a kernel has counted nothing")
-        # Functions that never ran are left out: these are compiled as if nothing was known of them.
+        # -sparse leaves out functions that never ran; they are compiled as if there were no profile.
         subprocess.run(["llvm-profdata-14", "merge", "-sparse", "-text", "-o", HERE / "kernels.proftext", *counts], check=True)
 
 

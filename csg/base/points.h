@@ -48,7 +48,7 @@ inline D times(const glm::dmat3& m, const D& v)
     return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z, m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
             m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
 }
-/// Transform::inverse_vector() and inverse_point().
+/// Transform::inverse_vector() and inverse_point(), for one vector and for vectors in lanes.
 inline auto turned(const Transform& frame, const auto& v) { return times(frame.inverse_linear, v); }
 template <class P>
 inline P into(const Transform& frame, const P& p)

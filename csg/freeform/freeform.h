@@ -24,16 +24,19 @@ namespace csg {
 
 class ShapeMadeLater;
 
-/// Shapes that answer through one call each: their own work outweighs it, and they stay out of what is inlined into
-/// every query. Each lives in its own space. A new one is a file in freeform/, a name in this list and its grammar.
+/// A shape that a query reaches through a function call. Its own work outweighs the call, and its code is not inlined
+/// into every query. Each shape lives in its own space. A new one is a file in freeform/, a name in this list and its
+/// grammar (README.md).
 struct FreeformShape {
     std::variant<BicubicPatch, Blob, ConicPrism, HeightField, Isosurface, Julia, Lathe, Ovus, Parametric, Polygon, Sor,
                  SphereSweep, Superellipsoid>
         kind;
-    /// Of a description, which may be copied often or never be drawn: `kind` tells only what it was described by.
+    /// Set for a shape that is costly to make: a description may be copied often, or never be drawn. `kind` then holds
+    /// only what the shape was described by.
     std::shared_ptr<ShapeMadeLater> later = nullptr;
 
-    /// Box that POV-Ray tells of the shape, moved: around the shape's bounds or what it has as extent().
+    /// The box that POV-Ray's min_extent() and max_extent() tell of the shape under a transformation: the shape's own
+    /// extent() if it has one, else the box around its bounds.
     Aabb extent(const Transform& moved) const;
 };
 
@@ -43,7 +46,7 @@ std::shared_ptr<const FreeformShape> make_freeform(Args&&... args)
     return std::make_shared<const FreeformShape>(FreeformShape{T(std::forward<Args>(args)...)});
 }
 
-/// What a description stands for, made by the first that asks.
+/// Makes a shape when it is first asked for; from any thread.
 class ShapeMadeLater {
 public:
     explicit ShapeMadeLater(std::function<std::shared_ptr<const FreeformShape>()> make) : make_(std::move(make)) {}
@@ -52,7 +55,7 @@ public:
     {
         std::call_once(once_, [this] {
             shape_ = make_();
-            make_ = nullptr;  // with what it kept
+            make_ = nullptr;  // frees what it captured
         });
         return shape_;
     }
@@ -63,7 +66,7 @@ private:
     std::shared_ptr<const FreeformShape> shape_;
 };
 
-/// A description of what `make` makes; `described` is all that can be asked before.
+/// A shape that `make` returns when it is first needed. Until then only `described` can be asked.
 template <class T, class F>
 std::shared_ptr<const FreeformShape> make_freeform_later(T described, F make)
 {
@@ -71,7 +74,7 @@ std::shared_ptr<const FreeformShape> make_freeform_later(T described, F make)
     return std::make_shared<const FreeformShape>(FreeformShape{std::move(described), std::move(later)});
 }
 
-/// The shape itself, or what it describes.
+/// The shape to draw: made now if it was only described so far.
 inline std::shared_ptr<const FreeformShape> drawn_shape(const std::shared_ptr<const FreeformShape>& shape)
 {
     return shape->later ? shape->later->shape() : shape;

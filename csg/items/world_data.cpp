@@ -44,7 +44,7 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
         const auto& surfaces = world.store.all<Mesh>()[index_of(part)].surfaces;
         return std::all_of(surfaces.begin(), surfaces.end(), stops);
     };
-    // Clips have no surface.
+    // Clips have no surface and are not drawn.
     const auto drawn = [&](PartId part) {
         return kind_of(part) == SolidKind::Mesh || world.store.surface(part) != kNoSurface;
     };
@@ -60,7 +60,7 @@ bool all_opaque(const WorldData& world, const WorldItem& item)
     return true;
 }
 
-/// Whether some solid of the item answers many rays sooner together.
+/// Whether some solid of the item answers many rays faster together than one by one.
 bool many(const WorldData& world, const WorldItem& item)
 {
     const auto solid = [&](PartId part) {
@@ -74,7 +74,7 @@ bool many(const WorldData& world, const WorldItem& item)
                        [&](const Node& node) { return node.op == Op::Leaf && solid(node.solid); });
 }
 
-/// Whether it is soon asked: before what costs more and may lie behind.
+/// Whether a test of the item is cheap: it then comes before costlier items, which may turn out to lie behind it.
 bool quick(const WorldItem& item)
 {
     if (item.solid == kNoPart || item.guard != WorldItem::kNoGuard) return false;
@@ -125,7 +125,7 @@ void WorldData::add_instance(std::shared_ptr<const WorldData> shared, const Tran
     instance_surfaces.insert(instance_surfaces.end(), surfaces.begin(), surfaces.end());
 }
 
-/// Not of what is drawn as large as its box, or about as large.
+/// Only items whose box in POV-Ray may be larger than what is drawn have one; a sphere or triangle about fills its box.
 bool WorldData::last_has_test_box()
 {
     if (items.size() > LazyTestOrder::kMostItems) test_order = nullptr;

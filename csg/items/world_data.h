@@ -90,8 +90,9 @@ struct WorldData {
     /// A copy of a shared world, whose surfaces are `surfaces` here.
     void add_instance(std::shared_ptr<const WorldData> shared, const Transform& frame,
                       const std::vector<SurfaceId>& surfaces, std::uint32_t object, std::uint8_t visible);
-    /// Whether POV-Ray's box of the item that was added last is kept, and what it is.
+    /// Whether the item that was added last has to be given its box in POV-Ray (TestOrder).
     bool last_has_test_box();
+    /// Gives it that box.
     void test_box_of_last(const Aabb& box);
     /// Puts a guard before the item that was added last.
     void guard_last(BoundingGuard guard);

@@ -76,7 +76,7 @@ void MeshShape::fill_blocks(const MeshInput& input)
 
 void MeshShape::fill_attributes(const MeshInput& input)
 {
-    // Closer normals than this (squared, of unit normals) do not bend a face: it is shaded flat (spec 5b, 3.4).
+    // Normals that differ by less than this (squared distance of unit vectors) leave a face flat (spec 5b, 3.4).
     constexpr float kSameNormal = 1e-10f;
     for (const glm::dvec3& n : input.normals) normals_.emplace_back(unit_or_x(n));
     for (const glm::dvec2& uv : input.uvs) uvs_.emplace_back(uv);

@@ -10,7 +10,9 @@ struct CutPiece {
 };
 
 /// The cuts from last - 1 on that hang together: up to `last`; the one that ends last is `longest`. False where ends
-/// coincide that decide what is drawn. \param cuts by entry \param close whether two places are the same
+/// coincide that decide what is drawn.
+/// \param cuts  by entry
+/// \param close  whether two places are the same
 template <class Close>
 inline bool run_of_cuts(const CutPiece* cuts, std::uint32_t count, std::uint32_t& last, std::uint32_t& longest,
                         const Close& close)

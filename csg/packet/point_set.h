@@ -10,7 +10,7 @@
 /// Points that rays begin or end at, in vector lanes.
 namespace csg {
 
-/// At least one of them and at most a tile full, padded when all are there.
+/// One to kTileRays points; call pad() after the last add() and before anything else.
 class PointSet {
 public:
     void add(const glm::dvec3& p)
@@ -18,7 +18,7 @@ public:
         x_[count_] = p.x, y_[count_] = p.y, z_[count_] = p.z;
         ++count_;
     }
-    /// After the last one: what follows it in its vector is like it.
+    /// Fills up the last vector with copies of the last point.
     void pad()
     {
         for (std::size_t i = count_; i % lanes::kDoubles != 0; ++i)
@@ -40,7 +40,7 @@ public:
         return (sum - empty * last()) / static_cast<double>(count_);
     }
 
-    /// The largest coordinates, by amount.
+    /// The largest absolute value of each coordinate.
     glm::dvec3 widest() const
     {
         Double x(0.0), y(0.0), z(0.0);

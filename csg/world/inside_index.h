@@ -7,8 +7,8 @@
 
 namespace csg {
 
-/// Tells whether a point lies inside any item of a world. A hierarchy finds the items near it, for callers that ask
-/// often.
+/// Tells whether a point lies inside any item of a world. Worth building for callers that ask often: a hierarchy finds
+/// the items near the point.
 class InsideIndex {
 public:
     /// \param world outlives this

@@ -20,7 +20,7 @@ Evaluators current{evaluate, evaluate_all, evaluate_lanes, evaluate_intervals, e
 
 void copy(const csg::Eight& from, double* to) { std::copy_n(from.v, kLanes, to); }
 
-/// Of f_rounded_box(x, y, z, ...), whatever its sizes.
+/// The box of a function that is f_rounded_box(x, y, z, ...) with constant sizes; nothing for any other.
 std::optional<csg::RoundedBox> rounded_box_of(const Function& f)
 {
     constexpr std::uint32_t kArguments = 7;
@@ -36,7 +36,8 @@ std::optional<csg::RoundedBox> rounded_box_of(const Function& f)
     return csg::RoundedBox{{a[4] - a[3], a[5] - a[3], a[6] - a[3]}, a[3]};
 }
 
-/// Along any line: degrees are what numbers along a line that is parallel to no plane of the axes have.
+/// Whether the function is a polynomial of a low enough degree along every line. One line that is parallel to no
+/// coordinate plane tells: no other has a higher degree.
 bool is_polynomial_of_space(const Function& f)
 {
     csg::FieldPolynomial found;

@@ -6,7 +6,7 @@
 /// What one interval and eight of them share.
 namespace function {
 
-inline constexpr double kMostRounds = 100'000;  // of a loop; a longer one may be anything
+inline constexpr double kMostRounds = 100'000;  // of a sum or prod; the value of a longer one is not bounded
 
 /// Whether branch k of `count` of a select() can be taken when its condition is c.
 inline bool branch_possible(const Interval& c, std::size_t count, std::size_t k)
@@ -16,8 +16,10 @@ inline bool branch_possible(const Interval& c, std::size_t count, std::size_t k)
     return k == 1 ? c.contains(0.0) : c.high > 0.0;
 }
 
+/// The range of internal(n) where its arguments lie in a[0], a[1], ...
 Interval internal_interval(std::uint32_t n, const Interval* a);
-/// Five components to `out`.
+/// The ranges of what a function asks of its surroundings (a transformation, pattern, pigment or spline): five
+/// components to `out`.
 void outer_interval(const SceneReference& what, const Interval* a, Interval* out);
 
 }  // namespace function

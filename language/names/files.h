@@ -18,8 +18,8 @@ struct Known {
 };
 using KnownPtr = std::shared_ptr<const Known>;
 
-/// Texts by absolute path without "." and "..": those of an editor lie over those on disk, which are kept until they
-/// change there or there are too many.
+/// Texts by absolute path without "." and "..". A text that an editor has open hides the file on disk; files on disk
+/// are kept in memory until they change or there are too many.
 class Files {
 public:
     /// Where include files are searched after the current folder and before that of the scene, in order.
@@ -36,12 +36,13 @@ public:
 
     /// The file that `#include "name"` means in a text that the scene `root` reads; empty: there is none.
     std::string included(const std::string& name, const std::string& from, const std::string& root) const;
-    /// Where it is searched.
+    /// The folders in which it is searched, in order.
     std::vector<std::string> folders(const std::string& from, const std::string& root) const;
 
-    /// A text and all that it includes, itself first, others in the order of reading.
+    /// The paths of a text and all that it includes: itself first, the others in the order of reading.
     std::vector<std::string> reached(const std::string& root);
-    /// Texts that may share names with one: what it reaches, and what open texts reach that reach it.
+    /// The paths of texts that may share names with one: all that it reaches, and all that open texts reach which reach
+    /// it.
     std::vector<std::string> related(const std::string& path);
 
 private:
@@ -51,7 +52,7 @@ private:
     };
     struct OnDisk {
         KnownPtr known;
-        long long written = 0, bytes = 0;
+        long long written = 0, bytes = 0;  ///< the file's time and length when it was read
     };
     std::vector<std::string> library_path_;
     std::map<std::string, std::unique_ptr<Open>> open_;

@@ -36,6 +36,7 @@ struct Outline {
     std::vector<std::size_t> includes;  ///< String tokens behind #include
 };
 
+/// Reads a document's declarations from its tokens; text that is wrong or half written gives what can be told.
 Outline outline_of(const Document& document);
 
 }  // namespace language

@@ -14,19 +14,21 @@ struct Swatch {
     Range range;                    ///< from the word to the last number
     std::string word;               ///< "rgb", "srgbft", ...
     std::array<double, 5> value{};  ///< red, green, blue, filter, transmit as written
-    bool linear = true;             ///< light, else as screens take it
+    bool linear = true;             ///< linear light; false: encoded for a screen (sRGB)
 };
 
-/// `linear_light`: what `rgb` means (linear_light() of the scene).
+/// All colours of the text that are made of numbers alone. `linear_light`: linear_light() of the scene, for `rgb`.
 std::vector<Swatch> swatches_of(const Document& document, bool linear_light);
 
-/// Whether `rgb` of a text is linear light: so it is with `assumed_gamma 1`, and from `#version 3.7` on without any.
+/// Whether `rgb` in a text means linear light: with `assumed_gamma 1`, and without any assumed_gamma from
+/// `#version 3.7` on.
 bool linear_light(const Document& document);
 
-/// Red, green, blue as a screen takes them and how opaque it is, each from 0 to 1.
+/// Red, green and blue encoded for a screen (sRGB), and opacity, each from 0 to 1.
 std::array<double, 4> screen_color(const Swatch& swatch);
 
-/// The text for another colour in the place of a swatch: its word stays where it can.
+/// The text that puts another colour (as screen_color() gives it) in the place of a swatch. Its word stays unless the
+/// colour needs another one.
 std::string color_text(const Swatch& swatch, const std::array<double, 4>& screen);
 
 }  // namespace language

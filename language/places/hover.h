@@ -20,6 +20,7 @@ struct Hover {
 /// The value of a global name in the scene that was read last; empty: none is known.
 using ValueOf = std::function<std::string(const std::string& name)>;
 
+/// What there is to tell of the word at a byte of a text; nothing: no word, or one without a meaning there.
 std::optional<Hover> hover_at(Files& files, const std::string& path, std::uint32_t offset, const ValueOf& value_of);
 
 }  // namespace language

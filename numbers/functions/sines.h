@@ -6,15 +6,15 @@
 /// multiple stand in a table.
 namespace numbers {
 
-/// `step` pi / 64 + rest, of which step counts modulo 128.
+/// An angle reduced to step * (pi / 64) + rest, |rest| <= pi / 128; step counts modulo 128.
 template <class V, class W = decltype(words_of(std::declval<V>()))>
 struct Turned {
     W step;
     Pair<V> rest;
 };
 
-inline constexpr double kMostQuickAngle = 0x1p15;  // steps times the first three parts of pi / 64 are exact
-inline constexpr double kLeastAngle = 0x1p-27;     // below, it is its own sine and tangent
+inline constexpr double kMostQuickAngle = 0x1p15;  // up to it, step times the first three parts of pi / 64 is exact
+inline constexpr double kLeastAngle = 0x1p-27;     // below it, an angle is its own sine and tangent
 
 template <class V>
 inline Turned<V> turned(const V& x)

@@ -24,15 +24,15 @@ double float_expr(TokenStream& stream, Level level = Level::Sum);
 glm::dvec2 vector2_expr(TokenStream& stream, Level level = Level::Sum);
 glm::dvec3 vector_expr(TokenStream& stream, Level level = Level::Sum);  ///< a float counts for all components
 glm::dvec4 vector4_expr(TokenStream& stream, Level level = Level::Sum);
-/// With its own component count.
+/// A value with as many components as are written.
 Tuple untyped_expr(TokenStream& stream, Level level = Level::Sum);
-/// `requested` components (spec 1, 3.1): what the others are made of.
+/// A value of `requested` components (spec 1, 3.1); the functions above are made of it.
 inline Tuple requested_expr(TokenStream& stream, int requested, Level level);
 /// The same, read token by token.
 Tuple read_expr(TokenStream& stream, int requested, Level level);
 /// `rgb ...`, `red 1 green 0.5`, `color C transmit 0.5`, C, <...>; rounded to single precision.
 scene::Color color_expr(TokenStream& stream);
-/// The same where filter and transmit mean nothing: warns about them, gives rgb only.
+/// color_expr() where filter and transmit mean nothing: warns about them and leaves them out.
 scene::Color rgb_expr(TokenStream& stream);
 std::string string_expr(TokenStream& stream);
 /// A file name: backslashes of a literal stay.

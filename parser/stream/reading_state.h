@@ -2,16 +2,19 @@
 
 #include "parser/lexer/token.h"
 #include "parser/stream/values/symbols.h"
+#include "render/scene/base/source_ref.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <string>
 
-/// Where a TokenStream stands.
+/// What a TokenStream keeps of the texts, directives and blocks that it is in the middle of.
 namespace parser {
 
 inline const Token kNoToken;
 
-/// A flag as it is wanted until the end of the scope.
+/// Sets a flag until the end of the scope.
 class FlagInScope {
 public:
     FlagInScope(bool& flag, bool wanted) : flag_(flag), before_(flag) { flag = wanted; }
@@ -49,6 +52,22 @@ struct Block {
     std::size_t cursors = 0;     ///< depth of the cursor it began in
     Cell variable;               ///< For
     double limit = 0, step = 0;  ///< For
+};
+
+/// What the left side of a declaration names.
+struct DeclarationTarget {
+    Token name;
+    bool known = false;                  ///< the name means something already
+    Cell element;                        ///< the element or member that is written; null: the name itself
+    std::shared_ptr<Array> array;        ///< that holds the element
+    bool global = false, local = false;  ///< `global.` or `local.` stood before the name
+};
+
+/// A warning about a block of the grammar that waits until the block is closed: an error in it would be the cause.
+struct BlockWarning {
+    std::size_t depth;  ///< how many blocks were open, that one included
+    scene::SourceRef at;
+    std::string text;
 };
 
 }  // namespace parser

@@ -8,8 +8,8 @@
 namespace parser {
 
 bool is_ascii(std::string_view text);
-std::u16string units_of(std::string_view text);
-std::string from_units(std::u16string_view units);
+std::u16string units_of(std::string_view text);     ///< the units of a text as it is kept
+std::string from_units(std::u16string_view units);  ///< and back
 /// Bytes that a file holds, read as UTF-8: what lies above the 16-bit units or is malformed becomes U+FFFD.
 std::string from_utf8_bytes(std::string_view bytes);
 /// Each byte is one unit.

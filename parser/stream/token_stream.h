@@ -110,13 +110,9 @@ public:
     /// is taken. Array subscripts are read: `texture { T[2] }`.
     template <class T>
     std::optional<T> accept_identifier();
-    /// Reads plain tokens of a text, from one to behind another, by themselves: where it stands stays as it is.
+    /// Calls read() while the stream yields the tokens [begin, end) of a file instead, then puts its position back.
     template <class Read>
-    void read_again(const Token* begin, const Token* end, Read&& read)
-    {
-        const Again again(*this, begin, end);
-        read();
-    }
+    void read_again(const Token* begin, const Token* end, Read&& read);
     /// The values of a Faces or Numbers token and all that were read after it.
     std::span<const double> values_from(const Token& token) const
     {
@@ -197,7 +193,7 @@ public:
     void block_closed()
     {
         if (!open_blocks_.empty()) open_blocks_.pop_back();
-        if (!of_open_blocks_.empty()) tell_of_closed_blocks();
+        if (!block_warnings_.empty()) tell_of_closed_blocks();
     }
     /// "; the '{' of 'sphere' stands in line 3", or nothing if that is the line that peek() shows.
     std::string where_opened(std::string_view what, const scene::SourceRef& brace);
@@ -219,20 +215,7 @@ public:
 
 private:
     friend class blocks::Runner;
-    class Again {
-    public:
-        Again(TokenStream& stream, const Token* begin, const Token* end);
-        ~Again();
-        Again(const Again&) = delete;
-        Again& operator=(const Again&) = delete;
-
-    private:
-        TokenStream& stream_;
-        std::size_t depth_;
-        const Token *ahead_, *last_;
-        bool has_ahead_, ahead_raw_, raw_operators_;
-        std::uint64_t left_;
-    };
+    class Again;  ///< token_stream_templates.h
     void fetch();
     /// The common case of fetch(): nothing is ahead and a token stands next that is nothing to execute.
     bool fetch_plain()
@@ -315,15 +298,8 @@ private:
 
     // declarations.cpp
     void declare(bool local);
-    struct Target {
-        Token name;
-        bool known = false;                  ///< the name means something already
-        Cell element;                        ///< the part of it that is written
-        std::shared_ptr<Array> array;        ///< that holds the element
-        bool global = false, local = false;  ///< `global.` or `local.` stood before the name
-    };
-    Target read_target_of_declaration();
-    void store(const Target& target, Value value, bool local, std::uint32_t scope);
+    DeclarationTarget read_declaration_target();
+    void store(const DeclarationTarget& target, Value value, bool local, std::uint32_t scope);
     void declare_several(bool local);
     bool at_new_word(std::string_view wanted);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
@@ -401,12 +377,7 @@ private:
     LanguageState language_;
     std::uint32_t declaring_ = kNoIndex, statement_ = kNoIndex;  ///< a statement: its first token in the main text
     std::vector<scene::SourceRef> open_blocks_;                  ///< of the statement
-    struct BlockWarning {
-        std::size_t depth;  ///< of the block
-        scene::SourceRef at;
-        std::string text;
-    };
-    std::vector<BlockWarning> of_open_blocks_;
+    std::vector<BlockWarning> block_warnings_;                   ///< held back until their block is closed
     std::unordered_map<std::uint32_t, Deprecation> deprecated_;
     std::vector<std::uint32_t> random_streams_;
     RandomUndo random_undo_{random_streams_};
@@ -422,4 +393,4 @@ private:
 
 }  // namespace parser
 
-#include "parser/stream/accept_identifier.h"
+#include "parser/stream/token_stream_templates.h"

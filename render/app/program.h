@@ -39,7 +39,8 @@ bool has_word(const Words& arguments, std::initializer_list<std::string_view> wo
 int call(const Called& command, const Words& arguments);
 
 /// main(): errors are told, what was printed has to arrive, and nothing is cleaned up. `run` gets the words after the
-/// program's name. \param failure status where standard output does not take what was printed
+/// program's name.
+/// \param failure  status where standard output does not take what was printed
 [[noreturn]] void run_program(int count, char** values, int (*run)(const Words&, Settings&, Remains&),
                               int failure = kError);
 

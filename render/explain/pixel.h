@@ -27,7 +27,8 @@ Pixel explain_pixel(plan::CompiledScene& scene, const trace::RenderOptions& opti
 glm::vec3 light_of(const trace::RecordedRow& row);
 
 /// The whole explanation as text, places as path:line:column.
-/// \param description that the scene was compiled from. \param shown the pixel's levels in the file
+/// \param description  that the scene was compiled from
+/// \param shown  the pixel's levels in the file
 std::string pixel_text(const Pixel& pixel, const scene::Description& description, const plan::CompiledScene& scene,
                        const glm::ivec3& shown);
 

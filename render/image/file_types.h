@@ -21,7 +21,8 @@ struct TypeFacts {
 
 const TypeFacts& facts(FileType type);
 
-/// The file that takes integers. \param quick see FileSettings
+/// The file that takes integers.
+/// \param quick  see FileSettings
 std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape,
                                       int jpeg_quality, bool quick);
 

@@ -54,7 +54,7 @@ public:
         rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
     }
 
-    /// False where Scratch's watch ended it: what waits of the block is not put in order any more.
+    /// False: it was cancelled (Scratch's watch) in the middle of a tile, and the tracer can only be freed.
     bool trace(const Block& block, scene::Color* out)
     {
         const SampleTracer tracer{&grid, &few, this, scene_.options.grain_stream};
@@ -66,7 +66,7 @@ public:
         return true;
     }
 
-    /// The same for samples that lie anywhere.
+    /// trace() for samples that lie anywhere.
     bool sample(std::span<const SamplePosition> positions, scene::Color* out)
     {
         try {
@@ -77,7 +77,8 @@ public:
         return true;
     }
 
-    /// The tile's hits ask for light, and what they find is handed back; their colours are of no use.
+    /// Traces a tile of a radiosity pass: its hits ask for indirect light, and the samples that this makes are handed
+    /// back. Their colours are thrown away.
     bool pretrace(const radiosity::PassTile& tile, radiosity::TileFindings& out)
     {
         filling_.begin(*context_.indirect->radiosity, tile);
@@ -116,7 +117,8 @@ public:
     }
 
 private:
-    /// In strips about as wide as a tile, down and up in turn: tiles are compact, and but for the last one full.
+    /// Takes a grid of samples in strips about as wide as a tile, down and up in turn, so that tiles are compact and
+    /// all but the last one full.
     static void grid(void* context, const SampleGrid& samples, scene::Color* out)
     {
         auto& self = *static_cast<BlockTracer*>(context);
@@ -160,7 +162,8 @@ private:
         targets_[k] = out;
     }
 
-    /// A perspective camera's rays in vector lanes; for the others one by one, and not every sample has one.
+    /// Makes the rays of the tile's samples: in vector lanes for a perspective camera, else one by one. With other
+    /// cameras not every sample has a ray.
     void make_rays()
     {
         rays_.common_origin = camera_.common_origin();
@@ -188,7 +191,7 @@ private:
         for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) *targets_[i] = colors_[i];
     }
 
-    /// The mean of the rays that a sample has, one ray of every sample a tile.
+    /// Gives each sample the mean of its rays; a tile has one ray of every sample.
     void finish_averaged()
     {
         std::array<FocalBlur::Sums, kTileRays> sums{};
@@ -202,7 +205,7 @@ private:
                 owner[static_cast<std::size_t>(rays_.count)] = i;
                 put(rays_.count++, ray);
             }
-            // While these are traced, the next ones come from memory.
+            // Prefetches what the next rays need while these are traced.
             if (k + 1 < camera_.rays_per_sample())
                 for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) camera_.fetch(x_[i], y_[i], k + 1);
             if (rays_.count > 0) trace_rays();

@@ -26,7 +26,8 @@ class JitterStream;
 /// Functions of one module. A BlockTracer belongs to one thread and lives inside the module that made it.
 struct KernelTable {
     const char* isa;
-    /// \param indirect of the passes before; null: none. \param cancel see RenderOptions; null: never
+    /// \param indirect  of the passes before; null: none
+    /// \param cancel  see RenderOptions; null: never
     BlockTracer* (*make)(const plan::CompiledScene& scene, const IndirectLight* indirect,
                          const std::atomic<bool>* cancel);
     void (*free)(BlockTracer* tracer);

@@ -16,7 +16,8 @@ double smooth_step(double low, double high, double x)
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// std::pow for what scenes write as a rule: 1 and 2. Of squares one in a thousand or less differs, in its last bit.
+/// v^power, with short cuts for the exponents that most scenes write, 1 and 2. At most one square in a thousand differs
+/// from pow(), in its last bit.
 double raised(double v, double power)
 {
     if (power == 1.0) return v;

@@ -17,13 +17,13 @@ struct Illumination {
 /// `offset`: of a sample of an area light from its centre.
 Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::dvec3& offset = glm::dvec3(0));
 
-/// Neither cone nor distance dims the light.
+/// Whether neither cone nor distance dims the light.
 inline bool steady_color(const Light& light) { return light.kind == Light::Kind::Point && !(light.fade_power > 0.0); }
 
-/// What a light that is seen so has of its colour at the point: after cone and distance attenuation.
+/// The colour of a light at a point, after attenuation by its cone and by distance. `seen`: toward() of the point.
 glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point);
 
-/// Direction and distance alone, for the shadow rays of an area light's sample.
+/// Direction (unit) and distance to the light alone, for the shadow rays of an area light's sample.
 Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec3& offset);
 
 /// Where the axes of a light that turns to the point it lights lie (`orient`): a and b are unit vectors, both as long
@@ -32,13 +32,13 @@ struct AreaAxes {
     glm::dvec3 a, b;
     double size;
 };
-AreaAxes oriented_axes(const Light& light, const glm::dvec3& point);
+AreaAxes oriented_axes(const Light& light, const glm::dvec3& point);  ///< (spec 3, 12.5)
 
 inline constexpr double kCircleShift =
     0.001;  ///< of a circular light's nodes: really part of POV-Ray's positions (spec 3, 12.5)
 
-/// Where node (i, j) of an area light lies, as shares p and q of its edges from the middle, before it is drawn in by m,
-/// where the light is circular.
+/// Where node (i, j) of an area light lies: shares p and q of its edges, from the middle, both times m, which draws the
+/// nodes of a circular light in to a circle.
 struct NodeShares {
     double p, q, m;
 };

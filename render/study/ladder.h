@@ -30,8 +30,10 @@ struct Setting {
     double asked_seconds = 0.0;         ///< that it is to take; 0: none
 };
 
-/// The settings that a scene has a use for; those of an effect that it lacks are left out. \param compiled the scene as
-/// given \param rays of its picture \param paths those of the path tracer too
+/// The settings that a scene has a use for; those of an effect that it lacks are left out.
+/// \param compiled  the scene as given
+/// \param rays  of its picture
+/// \param paths  those of the path tracer too
 std::vector<Setting> ladder(const scene::Description& scene, const plan::CompiledScene& compiled,
                             const trace::RayCounts& rays, bool paths = false);
 

@@ -99,8 +99,10 @@ std::string summary(const std::vector<Section>& sections, const std::vector<std:
     return out + "</table>\n";
 }
 
-/// What settings that promise something kept: what was found for each that was asked for. \param asked of a result, 0:
-/// nothing \param found what came of it \param kept whether that will do
+/// What settings that promise something kept: what was found for each that was asked for.
+/// \param asked  of a result, 0: nothing
+/// \param found  what came of it
+/// \param kept  whether that will do
 std::string promises(const std::vector<Section>& sections, const std::vector<std::string>& anchors,
                      double Result::*asked, const std::function<double(const Result&)>& found, double slack)
 {

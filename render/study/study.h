@@ -48,8 +48,9 @@ struct Truth {
 /// Renders settings of one scene and measures them against its truth.
 class Study {
 public:
-    /// \param options size of the picture and quality; where they are for paths, the truth is of paths, and paths are
-    /// measured beside the rest \param curves from light to stored values
+    /// \param options  size of the picture and quality; where they are for paths, the truth is of paths, and paths are
+    ///        measured beside the rest
+    /// \param curves  from light to stored values
     Study(const scene::Description& scene, const plan::Options& options, const trace::RenderOptions& render,
           const image::OutputCurves& curves);
 

@@ -76,10 +76,10 @@ struct Layer {
 /// Either layers (the last is the top) or a pattern over other textures.
 struct Texture {
     enum class Kind : std::uint8_t { Layers, Map, Average, Uv, Material } kind = Kind::Layers;
-    bool opaque = true;       ///< one layer lets no light through at any place
-    bool stops_light = true;  ///< casts a black shadow (spec 3, 13.2): opaque, or taken for it by POV-Ray
-    bool plain = false;       ///< one layer that can neither let light through nor reflect, no normal: the small kernel
-    bool lit = true;          ///< some layer asks for light sources
+    bool opaque = true;          ///< one layer lets no light through at any place
+    bool stops_light = true;     ///< casts a black shadow (spec 3, 13.2): opaque, or taken for it by POV-Ray
+    bool plain = false;          ///< one layer that can neither let light through nor reflect, and has no normal
+    bool lit = true;             ///< some layer asks for light sources
     bool no_bump_scale = false;  ///< its pattern's transformations leave the length of normals within alone
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;  ///< layers, or keys and children

@@ -18,8 +18,9 @@ class Host {
 public:
     virtual ~Host() = default;
 
-    /// \param posted whether it is a request that asks for a change of what is shown
-    /// \param path behind the token, without a slash in front \param body JSON, or empty
+    /// \param posted  whether it is a request that asks for a change of what is shown
+    /// \param path  behind the token, without a slash in front
+    /// \param body  JSON, or empty
     virtual Reply answer(bool posted, const std::string& path, const std::string& body) = 0;
 
     /// Waits up to a second for events behind `position`, moves it and appends them as they go over the wire; at most
@@ -33,7 +34,9 @@ public:
     virtual int port() const = 0;
 };
 
-/// What the module's entry does. \param port 0: any that is free \param why gets the reason where null is returned
+/// What the module's entry does.
+/// \param port  0: any that is free
+/// \param why  gets the reason where null is returned
 using StartServer = Server* (*)(int port, const char* token, Host& host, std::string& why);
 
 inline constexpr const char* kWebModuleName = "libwhittle_web.so";

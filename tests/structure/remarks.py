@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """No remark stands where code should: that two places have to be changed together, or over and over what one README says.
+And each \\param begins a line: clang-format joins those that wrap into the sentence before.
 
 usage: remarks.py [ROOT]
 """
@@ -9,6 +10,7 @@ import sys
 
 # A rule that stands twice is one that can drift: make one template of it.
 TWINS = re.compile(r"\b((change|keep|edit) (them|both|these) (together|in step|alike)|same operations in the same order)\b", re.I)
+JOINED = re.compile(r"^\s*///.*\S\s*\\param\b", re.M)
 KERNELS = re.compile(r"\bcompiled once (per|for each) instruction set\b", re.I)
 SAID_IN = "render/kernel/README.md"
 # Twins that say so and are left; the list only shrinks.
@@ -24,7 +26,8 @@ def remarks(text):
 
 
 def main():
-    if not TWINS.search(remarks("/// so change\n    /// them together.")) or TWINS.search("change them"):
+    joined = [bool(JOINED.search(text)) for text in ("    /// A cut. \\param by what", "    /// A cut.\n    /// \\param by what")]
+    if not TWINS.search(remarks("/// so change\n    /// them together.")) or TWINS.search("change them") or joined != [True, False]:
         sys.exit("remarks.py finds wrongly")
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
     read, wrong, said = 0, 0, []
@@ -33,7 +36,11 @@ def main():
             if path.suffix not in {".h", ".cpp", ".md"}:
                 continue
             read += 1
-            text = remarks(path.read_text())
+            written = path.read_text()
+            text = remarks(written)
+            for match in JOINED.finditer(written):
+                print(f"{path.relative_to(root)}: {match[0].strip()}: \\param in the middle of a line")
+                wrong += 1
             twins = [match[0] for match in TWINS.finditer(text)]
             if str(path.relative_to(root)) in MEANT:
                 twins = []

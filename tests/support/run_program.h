@@ -47,7 +47,8 @@ struct Ended {
 /// no display and no POVINI. What it writes goes to files beside the folder, or nowhere if `err` is a pipe's end.
 class RunningProgram {
 public:
-    /// \param input what standard input holds \param error_end a file descriptor for standard error instead of a file
+    /// \param input  what standard input holds
+    /// \param error_end  a file descriptor for standard error instead of a file
     RunningProgram(const std::string& folder, const std::string& program, std::vector<std::string> arguments,
                    const std::string& input = {}, int error_end = -1)
         : base_(folder + ".streams")

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+/// Isosurfaces whose field is a polynomial along the ray. Its Bernstein form is halved where the ordinates have both
+/// signs, down to the intervals of the grid, so that the crossing is the one that ranges of the field lead to.
 namespace csg {
 
 bool IsosurfaceSearch::find_polynomial()
@@ -25,13 +27,14 @@ bool IsosurfaceSearch::find_polynomial()
 
 struct IsosurfaceSearch::Halving {
     double sign;
-    int leaves;  ///< how many more may be asked for their values
+    int leaves;  ///< how many more grid intervals may be evaluated
     double found;
 };
 
 bool IsosurfaceSearch::by_polynomial(double sign, double& found) const
 {
-    // Where a field is flat, ordinates say less than ranges: their error is a share of the greatest of its terms.
+    // Where a field is flat, ordinates decide less than ranges do, since their error is a share of the field's largest
+    // term. After so many intervals without a decision the ranges take over.
     constexpr int kMostLeaves = 200;
     Halving search{sign, kMostLeaves, 0.0};
     std::array<double, FieldPolynomial::kMost + 1> c;

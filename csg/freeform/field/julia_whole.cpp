@@ -8,16 +8,17 @@
 namespace csg {
 namespace {
 
-// Parts of the radius of the sphere that holds the set:
-constexpr double kAround = 1e-6;  // a way begins so far beyond the sphere, which may be the set's own wall
-constexpr double kShort = 1e-6;   // what is so short is not divided
-constexpr double kPlace = 1e-12;  // a crossing is closed in on so far
-constexpr double kBeyond = 0.01;  // of what is asked: a way begins and ends so far beyond it
+// Relative to the radius of the sphere that holds the set:
+constexpr double kAround = 1e-6;  // the ray is followed from this far outside of the sphere, which the set may touch
+constexpr double kShort = 1e-6;   // the shortest stretch that is divided
+constexpr double kPlace = 1e-12;  // how exactly a crossing is found
+constexpr double kBeyond = 0.01;  // relative to the range asked for: how far beyond its ends the ray is followed
 constexpr int kMostDivisions = 48;
 
 }  // namespace
 
-/// What is sure of all points up to `half` to both sides of p.
+/// What is certain of every point of the segment from p - half to p + half: the orbits of all of them at once, each
+/// number a range.
 Julia::Where Julia::where(const glm::dvec3& p, const glm::dvec3& half) const
 {
     julia::OrbitPart q;
@@ -37,7 +38,7 @@ Julia::Where Julia::where(const glm::dvec3& p, const glm::dvec3& half) const
     }
 }
 
-/// Parts of the way that nothing sure is known of are halved.
+/// Halves stretches of the ray until each is certainly inside, certainly outside, crossed once, or too short.
 void Julia::intersect_whole(const Ray& ray, IntersectionList& out) const
 {
     const julia::Way way(ray, (1.0 + kAround) * radius_, out);
@@ -76,7 +77,7 @@ void Julia::intersect_whole(const Ray& ray, IntersectionList& out) const
     if (inside) out.leave(way.world(end), kUndrawnFace);
 }
 
-/// Of the size that is nearest to what the set ends at.
+/// The gradient of half the squared size of the orbit's largest member, the first to leave as p moves out of the set.
 glm::dvec3 Julia::whole_gradient(const glm::dvec3& p) const
 {
     glm::dvec3 slope(0.0);

@@ -5,12 +5,12 @@
 
 #include <array>
 
-/// What a ray is told of a lathe: shared by one ray and by rays in lanes.
+/// The answer of a lathe to a ray; single rays and rays in lanes share it.
 namespace csg {
 
-/// Crossings of one ray as they are found. Where all are told they are kept. Where the nearest is enough, those that
-/// are costly to work out wait for their turn, the nearest first.
-/// \tparam Waiting a crossing no nearer than its `nearest`
+/// Collects the crossings of one ray as they are found. If all are asked for, it keeps them. If the nearest is enough,
+/// it keeps that, and holds back candidates that are costly to work out, in the order of their lower bounds: most of
+/// them turn out to lie farther off. \tparam Waiting a candidate; its crossing is no nearer than its member `nearest`
 template <class Waiting>
 class LatheTold {
 public:
@@ -33,8 +33,8 @@ public:
         else if (t >= from_ && t <= best_.t && t < kInfinity) best_ = {t, face};
     }
 
-    /// Of a crossing that lies before `last`; out of the range that was asked for it is left out. resolve(one) is to
-    /// add it.
+    /// Holds back a candidate whose crossing lies in [one.nearest, last]; drops it if that is outside of the range that
+    /// was asked for. resolve(one) is called, and calls add(), if there is no room to hold it back.
     template <class Resolve>
     void wait(const Waiting& one, double last, Resolve&& resolve)
     {
@@ -47,7 +47,7 @@ public:
         for (; at > 0 && waiting_[at - 1].nearest > one.nearest; --at) waiting_[at] = waiting_[at - 1];
         waiting_[at] = one;
     }
-    /// resolve() of those that wait and may still be the nearest.
+    /// Calls resolve() for the candidates that may still be the nearest.
     template <class Resolve>
     void resolve_waiting(Resolve&& resolve)
     {
@@ -55,13 +55,14 @@ public:
             if (!(waiting_[i].nearest > best_.t)) resolve(waiting_[i]);
     }
 
-    /// Where that is enough; whether it leads in or out does not matter.
+    /// Reports the nearest crossing, if that is enough; whether it leads in or out does not matter.
     void tell_nearest(IntersectionList& out) const { out.touch(best_.t, best_.face); }
-    /// Where all are told. `hole`: the radius that is never inside; is_negative(face): it is drawn, but bounds nothing.
+    /// Reports all crossings. `hole`: what is nearer to the axis is never inside. is_negative(face): the face is drawn,
+    /// but bounds nothing.
     template <class IsNegative>
     void tell(const AxisRay& ray, double hole, IsNegative&& is_negative, IntersectionList& out) const
     {
-        double from = kInfinity, to = kInfinity;  // what the hole takes away
+        double from = kInfinity, to = kInfinity;  // the stretch of the ray in the hole
         if (hole > 0.0 && ray.valid()) ray.within(hole, from, to);
         const Event* in = nullptr;
         for (const Event& event : events_) {
@@ -77,7 +78,7 @@ public:
     }
 
 private:
-    /// False: no more is wanted.
+    /// Reports a span without its part in the hole. False: the caller wants no more.
     static bool span(const Event& in, const Event& end, double from, double to, IntersectionList& out)
     {
         const auto push = [&](const Event& a, const Event& b) {

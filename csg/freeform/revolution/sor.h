@@ -14,8 +14,8 @@ class AxisRay;
 /// its cap, 2 + segment.
 class Sor {
 public:
-    /// `points`: the first and the last are control points only; at least four. Numbers that are not finite: nothing is
-    /// met.
+    /// `points`: at least four, of which the first and the last are control points only. With numbers that are not
+    /// finite no ray meets it.
     Sor(const std::vector<glm::dvec2>& points, bool open);
 
     void intersect(const Ray& ray, IntersectionList& out) const;

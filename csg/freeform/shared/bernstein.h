@@ -12,7 +12,7 @@ namespace csg {
 
 namespace detail {
 
-/// A number of ways: k of n.
+/// The binomial coefficient n over k.
 constexpr double choose(std::size_t n, std::size_t k)
 {
     double ways = 1.0;
@@ -30,7 +30,7 @@ inline void casteljau(std::array<double, count> b, double t, double& value, doub
     value = b[0] + t * (b[1] - b[0]);
 }
 
-/// Roots of degree 2 in order, a double one where there are none; NaN for a polynomial without any.
+/// The roots of a quadratic in order; of no use where they are complex, NaN for a constant.
 inline void quadratic_roots(const std::array<double, 3>& b, double (&roots)[2])
 {
     const double half = b[1] - b[0], a = b[0] - 2.0 * b[1] + b[2];
@@ -49,9 +49,9 @@ inline std::array<Number, 5> quartic_powers(const std::array<Number, 5>& b)
             four * (b[3] - three * b[2] + three * b[1] - b[0]), b[4] - four * b[3] + six * b[2] - four * b[1] + b[0]};
 }
 
-inline constexpr double kClosePlace = 1e-15;  ///< of itself: a few units in the last place of where a quartic changes
+inline constexpr double kClosePlace = 1e-15;  ///< relative error of a quartic's root: a few units in the last place
 
-/// One polynomial, one change of sign among its ordinates: where, in [0, 1].
+/// The root in [0, 1] of a polynomial whose ordinates change sign once.
 template <std::size_t count>
 inline double only_change(const std::array<double, count>& b)
 {
@@ -62,13 +62,13 @@ inline double only_change(const std::array<double, count>& b)
     } else if constexpr (count == 3) {
         double roots[2];
         quadratic_roots(b, roots);
-        // The other lies outside, if only by rounding.
+        // The other root lies outside, if only by rounding.
         const bool first = std::abs(roots[0] - 0.5) <= std::abs(roots[1] - 0.5);
         return std::min(std::max(first ? roots[0] : roots[1], 0.0), 1.0);
     } else if constexpr (count == 5) {
         return bracketed(quartic_powers(b).data(), 4, 0.0, 1.0, b[0] <= 0.0, t, kClosePlace);
     } else {
-        constexpr double kClose = 1e-9;  // of the interval: the last of Newton's steps doubles its digits
+        constexpr double kClose = 1e-9;  // relative to the interval: Newton's last step doubles the digits
         const auto at = [&b](double place) {
             ValueAndSlope here{};
             casteljau(b, place, here.value, here.slope);
@@ -80,7 +80,7 @@ inline double only_change(const std::array<double, count>& b)
 
 }  // namespace detail
 
-/// The product of two polynomials; `times` multiplies ordinates, numbers or vectors.
+/// The product of two polynomials; `times` multiplies two ordinates, which may be vectors.
 template <class T, std::size_t n, std::size_t m, class Times = std::multiplies<T>>
 inline std::array<double, n + m - 1> product(const std::array<T, n>& a, const std::array<T, m>& b, Times&& times = {})
 {

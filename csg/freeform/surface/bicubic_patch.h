@@ -24,7 +24,7 @@ public:
     static constexpr int kMostSteps = 10;
 
     explicit BicubicPatch(const Input& input);
-    /// Of a description: input() alone is known, nothing else can be asked of it.
+    /// A description: nothing but input() may be called.
     enum class Later { Divide };
     BicubicPatch(const Input& input, Later) : input_(input) {}
 
@@ -40,17 +40,18 @@ public:
     Aabb extent() const;
 
     const Input& input() const { return input_; }
-    /// Of how many pieces it is made.
+    /// How many pieces the patch was divided into.
     std::size_t pieces() const { return pieces_.size(); }
 
     static constexpr bool kSurface = true, kClosed = false, kInverseClosed = false;
 
 private:
-    /// Of the parameters; halvings are exact in single precision.
+    /// A rectangle of the parameters; halvings of [0, 1] are exact in single precision.
     struct Piece {
         float u0, u1, v0, v1;
     };
-    /// Of a triangle: its piece, and which of the piece's corners it has, in the order of Input::uv.
+    /// The number of a face as the patch made it (two a piece, in order), and the corners of its piece that it has, in
+    /// the order of Input::uv.
     std::uint32_t declared(std::uint32_t face) const { return mesh_->block(face / 4).face[face % 4]; }
     static std::array<std::size_t, 3> corners(std::uint32_t declared)
     {

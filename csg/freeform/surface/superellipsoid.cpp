@@ -9,8 +9,8 @@
 namespace csg {
 namespace {
 
-constexpr double kSkin = 1e-10;        // POV-Ray's inside reaches so far out (spec 5a, 2.4)
-constexpr double kClear = 1.0 + 1e-9;  // Newton begins so far outside
+constexpr double kSkin = 1e-10;        // POV-Ray's inside reaches this far beyond the surface (spec 5a, 2.4)
+constexpr double kClear = 1.0 + 1e-9;  // scale of the polyhedron around the surface from which Newton's steps begin
 constexpr int kMostHalvings = 40;
 
 /// (u^p + v^p)^(1/p) of numbers that are not negative, and its derivatives by both.
@@ -39,7 +39,7 @@ double norm(double u, double v, double p)
     return most * numbers::pow(1.0 + numbers::pow(std::min(u, v) / most, p), 1.0 / p);
 }
 
-/// The rate of |o + t d| from t on.
+/// The derivative of |o + t d| by t at t = 0, from the right.
 double rate(double o, double d) { return o > 0.0 || (o == 0.0 && d > 0.0) ? d : -d; }
 
 /// factor * [low, high] added to [sum_low, sum_high]; 0 times infinity is nothing.

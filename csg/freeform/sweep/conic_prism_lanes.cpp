@@ -51,7 +51,8 @@ private:
         }
     }
 
-    /// Those whose walls are too many to be kept here.
+    /// Answers the rays of `asked` by the crossings of their lines with the outline. Returns the lanes with more of
+    /// them than OutlineWalls keeps, which have to be asked one by one.
     Mask meet_walls(std::size_t at, const Course<Double>& course, Mask asked)
     {
         const auto line = course.line<OutlineLines>();
@@ -94,7 +95,7 @@ private:
 
 void ConicPrism::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
-    constexpr std::size_t kFewest = 3;  // fewer are told sooner one by one
+    constexpr std::size_t kFewest = 3;  // fewer are faster one by one
     if (rays.size() < kFewest)
         for (std::size_t k = 0; k < rays.size(); ++k) intersect(rays[k], out[k]);
     else if (!outline_->empty()) Lanes(*this, rays, out).run();

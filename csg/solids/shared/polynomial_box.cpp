@@ -67,7 +67,7 @@ public:
         for (const Term& t : terms_) rounding_[t.i + t.j + t.k] += kRoundingPart * std::abs(t.c);
     }
 
-    /// False: there is no end.
+    /// False: the inside is not bounded, or that could not be proven.
     bool run()
     {
         for (int x = -1; x <= 1; ++x)

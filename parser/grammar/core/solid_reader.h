@@ -8,10 +8,11 @@ namespace parser {
 
 class SolidReader;
 
-/// Declares, for one solid of the list, the functions that its grammar file defines: what reads it from behind the
-/// brace to the first modifier, and what it reads. It fills the parameters and reader.object().shape; false: such a one
-/// cannot be drawn yet. A friend of a base class is found by its arguments wherever a SolidReader is one of them, so
-/// the list of scene::AnySolid is the only one: a solid without them does not link, and the linker names it.
+/// Declares, for one solid of the list, the functions that its grammar file defines: read_parameters() reads from
+/// behind the brace to the first modifier and fills the parameters and reader.object().shape (false: such a one cannot
+/// be drawn yet); parameters_form() says what it reads. A friend of a base class is found by its arguments wherever a
+/// SolidReader is one of them, so the list of scene::AnySolid is the only one: a solid without them does not link, and
+/// the linker names it.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wnon-template-friend"  // no template is meant
@@ -39,7 +40,7 @@ public:
     /// Of the keyword.
     const scene::SourceRef& source() const { return source_; }
     scene::Object& object() { return object_; }
-    /// What is being read: for what is made of it later.
+    /// The parameters being read, for a shape that is made of them later.
     std::shared_ptr<const scene::WrittenSolid> written;
 
 private:
@@ -78,7 +79,8 @@ std::vector<Form> written_solids();
 /// A solid's keyword and block.
 Form solid_form(Kind keyword, Form head);
 
-// What the object's solid says of itself.
+// Whether `sturm` and `hierarchy` may stand among the modifiers of the object's solid, and whether `inverse` is
+// ignored.
 bool takes_sturm(const scene::Object& object);
 bool takes_hierarchy(const scene::Object& object);
 bool forgets_inverse(const scene::Object& object);

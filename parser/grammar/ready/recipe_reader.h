@@ -4,15 +4,18 @@
 
 namespace parser {
 
-/// Looks at the tokens of a statement as the grammar reads them. Everything that is not known gives false.
+/// Makes recipes of statements, reading their tokens as the grammar does. Its functions return false at anything that
+/// recipes do not cover; the statement is then read as tokens each time.
 class RecipeReader {
 public:
     RecipeReader(StatementReader& tokens, SceneBuilder& build) : tokens_(tokens), build_(build) {}
 
     bool object(ObjectRecipe& out);
-    /// Up to the closing brace, which is taken too. `all`: else only those of a blob's component.
+    /// Modifiers up to the closing brace, which is taken too. `all`: those of any object, else only those of a blob's
+    /// component.
     bool modifiers(std::vector<ModifierRecipe>& out, bool all);
-    /// Values as SolidForm::values says (p: two numbers), the place of the first.
+    /// Values of the kinds that SolidForm::values lists (v: a vector, p: two numbers, others: a number); `first`: the
+    /// place of the first among the block's values.
     bool values(std::string_view form, std::uint32_t& first);
     StatementReader& tokens() { return tokens_; }
 

@@ -17,7 +17,7 @@ inline bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
 
 inline constexpr int kFirstWithoutOldTextures = 300;  ///< hundredths, as SceneBuilder::version()
 
-/// What of a texture's items is of its pigment; kept together until something else stands there.
+/// The items of a texture that belong to its pigment, collected until an item of another kind comes.
 class OldPigment {
 public:
     explicit OldPigment(SceneBuilder& build) : build_(build) {}
@@ -32,6 +32,7 @@ private:
     scene::SourceRef source_;
 };
 
+/// Read one item of a normal or finish that stands in the texture itself, if it is next; else false.
 bool read_old_normal(SceneBuilder& build, scene::NormalPtr& normal);
 bool read_old_finish(SceneBuilder& build, scene::Finish& finish);
 

@@ -123,19 +123,20 @@ void BlockCompiler::mark(std::uint32_t token, std::uint32_t place)
     emitter_.at_place(place);
 }
 
-void BlockCompiler::mark_drawing(std::uint32_t token, std::uint32_t place, std::uint32_t end)
+void BlockCompiler::mark_undoable(std::uint32_t token, std::uint32_t place, std::uint32_t end)
 {
     mark(token, place);
     for (std::uint32_t i = token; i < end; ++i)
-        if (draws(tokens_[i])) {
+        if (has_effect(tokens_[i])) {
             program_.statements.back().undo = true;
             emitter_.emit(kBegin);
             return;
         }
 }
 
-/// Whether it may change something before the statement is done.
-bool BlockCompiler::draws(const Token& token) const
+/// Whether the token may change something before its statement is done: rand() its stream, trace() the normal, a macro
+/// anything.
+bool BlockCompiler::has_effect(const Token& token) const
 {
     if (token.kind != Kind::Identifier) return token.kind == Kind::Rand || token.kind == Kind::Trace;
     const Value* const value = find(token.name);

@@ -17,17 +17,19 @@ struct Source {
 
 using Known = std::unordered_map<std::uint32_t, Value>;
 
-/// Macros compiled for the values that they give.
+/// What a block finds outside of itself: macros that give a value, and statements of the grammar.
 class Library {
 public:
     virtual ~Library() = default;
-    /// Null: the macro gives no number or vector, or it is not that simple. `known`: what names will mean in it.
+    /// The macro of a call, compiled for the number or vector that it gives; null: it gives none, or is too
+    /// complicated. `known`: what names will mean in it.
     virtual const Program* value_of(const ValueCall& call, const Known& known) = 0;
-    /// A statement of the grammar, where one may stand. Null: it is left to the reader of tokens.
+    /// A statement of the grammar, made ready to be run again. Null: it is left to the reader of tokens.
     virtual std::unique_ptr<ReadyStatement> prepare(StatementReader& reader) = 0;
 };
 
-/// Compiles directives one after the other. What it does not know becomes a stop: the reader of tokens goes on there.
+/// Compiles directives one after the other. At what it cannot compile it puts a stop, and the reader of tokens goes on
+/// there.
 class BlockCompiler : public Meanings {
 public:
     BlockCompiler(const Source& source, const Symbols& symbols, Library& library, Program& program)
@@ -67,13 +69,17 @@ private:
     bool statement(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     bool directive(std::uint32_t& at, std::uint32_t end, std::uint32_t place);
     void stop(std::uint32_t at, std::uint32_t place);
+    /// Notes that a statement begins here, at that token: where the reader of tokens takes over if the program leaves
+    /// it.
     void mark(std::uint32_t token, std::uint32_t place);
-    /// The same; what stands before `end` may draw random numbers.
-    void mark_drawing(std::uint32_t token, std::uint32_t place, std::uint32_t end);
-    bool draws(const Token& token) const;
+    /// mark(), and if a token before `end` has an effect of its own, code that undoes the effect when the statement is
+    /// left.
+    void mark_undoable(std::uint32_t token, std::uint32_t place, std::uint32_t end);
+    bool has_effect(const Token& token) const;
     std::uint32_t open(std::uint32_t parent, PlaceKind kind, std::uint32_t branch);
 
-    /// What begins at `at`, on the stacks; goes behind it. 0, false: not known.
+    // Each of these compiles what begins at `at`, moves `at` behind it, and returns 0 or false for what it cannot
+    // compile.
     int expression(std::uint32_t& at, std::uint32_t end, const Form& form);
     bool text(std::uint32_t& at, std::uint32_t end);
     bool number(std::uint32_t& at, std::uint32_t end, bool full);

@@ -29,7 +29,7 @@ bool BlockCompiler::if_directive(std::uint32_t& at, std::uint32_t end, std::uint
     std::vector<Branch> branches;
     if (!branches_of(at, end, branches)) return false;
     const std::uint32_t hash = at, last = branches.back().hash;
-    mark_drawing(hash, place, last);
+    mark_undoable(hash, place, last);
     const bool undo = program_.statements.back().undo;
     std::vector<std::uint32_t> done;
     std::uint32_t failed = kNoIndex;
@@ -74,7 +74,7 @@ bool BlockCompiler::switch_directive(std::uint32_t& at, std::uint32_t end, std::
     std::vector<Branch> branches;
     if (!branches_of(at, end, branches) || branches.size() < 2) return false;
     const std::uint32_t hash = at, last = branches.back().hash;
-    mark_drawing(hash, place, last);
+    mark_undoable(hash, place, last);
     std::uint32_t behind = hash + 2;
     if (!condition(behind, end) || behind != branches[1].hash) return false;
     const std::uint32_t value = emitter_.keep(1);
@@ -100,7 +100,7 @@ bool BlockCompiler::switch_directive(std::uint32_t& at, std::uint32_t end, std::
         }
         if (before != kNoIndex && branch.word != Kind::Else) {  // falling through, the test is still made
             emitter_.clear();
-            mark_drawing(branch.hash, before, branch.end);
+            mark_undoable(branch.hash, before, branch.end);
             Branch passed = branch;
             if (!case_test(passed, end, kNoIndex)) return false;
         }
@@ -133,13 +133,13 @@ bool BlockCompiler::while_directive(std::uint32_t& at, std::uint32_t end, std::u
     if (closing == kNoIndex) return false;
     std::uint32_t body = hash + 2;
     if (kind(body) == Kind::LeftParen && kind(body + 1) == Kind::Defined) return while_defined(at, place, closing);
-    mark_drawing(hash, place, closing);
+    mark_undoable(hash, place, closing);
     if (!condition(body, closing)) return false;
     const std::vector<std::uint32_t> done = {emitter_.jump_if(false)};
     const auto [inside, first] = while_body(hash, body, closing, place);
-    mark_drawing(closing, inside, closing);
+    mark_undoable(closing, inside, closing);
     for (std::uint32_t i = hash; i < body; ++i)
-        if (draws(tokens_[i]) && !program_.statements.back().undo) {
+        if (has_effect(tokens_[i]) && !program_.statements.back().undo) {
             program_.statements.back().undo = true;
             emitter_.emit(kBegin);
         }
@@ -208,7 +208,7 @@ bool BlockCompiler::for_directive(std::uint32_t& at, std::uint32_t end, std::uin
 {
     const std::uint32_t hash = at, closing = end_of_loop(hash, end);
     if (closing == kNoIndex) return false;
-    mark_drawing(hash, place, closing);
+    mark_undoable(hash, place, closing);
     std::uint32_t body = hash + 2;
     if (kind(body) != Kind::LeftParen || kind(body + 1) != Kind::Identifier || kind(body + 2) != Kind::Comma)
         return false;

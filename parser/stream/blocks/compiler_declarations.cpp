@@ -60,7 +60,7 @@ bool BlockCompiler::declare(std::uint32_t& at, std::uint32_t end, std::uint32_t 
     if (at + 4 >= end || kind(at + 2) != Kind::Identifier) return false;
     std::uint32_t semicolon = at;
     while (semicolon < end && kind(semicolon) != Kind::Semicolon) ++semicolon;
-    mark_drawing(at, place, semicolon);
+    mark_undoable(at, place, semicolon);
     at += 2;
     if (kind(at + 1) == Kind::LeftSquare) return declare_element(at, end);
     if (kind(at + 1) != Kind::Equal) return false;
@@ -274,7 +274,7 @@ bool BlockCompiler::write_texts(std::uint32_t& at, std::uint32_t end, std::uint3
     if (file + 2 >= end || kind(hash + 2) != Kind::LeftParen || kind(file) != Kind::Identifier) return false;
     const Value* const opened = find(tokens_[file].name);
     if (!opened || !opened->get_if<std::shared_ptr<DataFile>>()) return false;
-    mark_drawing(hash, place, closing_parenthesis(tokens_, hash + 2, end));
+    mark_undoable(hash, place, closing_parenthesis(tokens_, hash + 2, end));
     ExpressionCompiler reader(tokens_, file + (kind(file + 1) == Kind::Comma ? 2 : 1), end, *this, emitter_);
     if (!reader.whole_texts()) return false;
     at = reader.at() + 1;
@@ -293,7 +293,7 @@ bool BlockCompiler::macro_call(std::uint32_t& at, std::uint32_t end, std::uint32
     call.token = at;
     call.place = place;
     text_arguments_ = 0;
-    mark_drawing(at, place, closing_parenthesis(tokens_, at + 1, end));
+    mark_undoable(at, place, closing_parenthesis(tokens_, at + 1, end));
     at += 2;
     for (std::size_t i = 0; i < (*macro)->parameters.size(); ++i) {
         Argument given;

@@ -72,7 +72,8 @@ bool Emitter::dimension_size(std::uint32_t name, bool sized)
     return from != kNoIndex;
 }
 
-/// What is below has to be read before the macro can change it.
+/// Operands below the arguments are brought into registers first: the macro may change the variables that they come
+/// from.
 void Emitter::call_value(Call&& call, std::size_t base, std::size_t count)
 {
     in_registers(stack_.size());

@@ -69,7 +69,7 @@ bool BlockCompiler::ready_statement(std::uint32_t& at, std::uint32_t end, std::u
         if (kind(behind) == Kind::RightBrace && --depth == 0) break;
         if (depth == 0 && behind > at) break;
     }
-    mark_drawing(at, place, behind);
+    mark_undoable(at, place, behind);
     const auto index = static_cast<std::uint32_t>(program_.ready.size());
     emitter_.emit(kConstants).a = index;
     ReadyCompiler reader(*this, at, end);

@@ -176,7 +176,8 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
     expect_closing(fmt::format("'}}' after {} elements", array.sizes[dimension]), "the array", opened);
 }
 
-/// A function or spline that is named and not called: no comma behind it counts as with a macro's arguments.
+/// An element. Where a function or spline is named without being called and no comma follows it, the name behind it
+/// counts in its place, as among a macro's arguments (taken_instead()).
 Value TokenStream::read_element(bool is_last)
 {
     const Token& first = peek();

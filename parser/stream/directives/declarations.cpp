@@ -9,9 +9,9 @@
 
 namespace parser {
 /// What a declaration writes to, up to the '='.
-TokenStream::Target TokenStream::read_target_of_declaration()
+DeclarationTarget TokenStream::read_declaration_target()
 {
-    Target target;
+    DeclarationTarget target;
     const Kind pseudo = at_pseudo_scope();
     if (pseudo != Kind::EndOfText) {
         raw_next();
@@ -35,7 +35,7 @@ TokenStream::Target TokenStream::read_target_of_declaration()
     return target;
 }
 
-void TokenStream::store(const Target& target, Value value, bool local, std::uint32_t scope)
+void TokenStream::store(const DeclarationTarget& target, Value value, bool local, std::uint32_t scope)
 {
     const std::uint32_t name = target.name.name;
     if (target.element && target.array)
@@ -58,7 +58,7 @@ void TokenStream::declare(bool local)
     if (new_language() && (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace))
         return declare_several(local);
     const std::uint32_t scope = symbols_.depth();
-    const Target target = read_target_of_declaration();
+    const DeclarationTarget target = read_declaration_target();
     if (Token equal = raw_next(); equal.kind != Kind::Equal)
         fail_expected_at(equal, fmt::format("'=' and a value for '{}'", word(target.name)));
 

@@ -88,14 +88,14 @@ void TokenStream::declare_several(bool local)
     const Kind closing = from_array ? Kind::RightBrace : Kind::RightParen;
     struct Place {
         bool wanted = false, optional = false;
-        Target target;
+        DeclarationTarget target;
     };
     std::vector<Place> places;
     for (;;) {
         Place one;
         if (at_new_word("optional")) raw_next(), one.optional = true;
         one.wanted = peek_raw().kind != Kind::Comma && peek_raw().kind != closing;
-        if (one.wanted) one.target = read_target_of_declaration();
+        if (one.wanted) one.target = read_declaration_target();
         places.push_back(std::move(one));
         if (peek_raw().kind != Kind::Comma) break;
         raw_next();

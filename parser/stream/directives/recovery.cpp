@@ -8,7 +8,7 @@ void TokenStream::begin_statement()
     const bool plain = has_ahead_ && cursors_.size() == 1 && blocks_.empty();
     statement_ = plain ? cursors_.back().position - 1 : kNoIndex;
     open_blocks_.clear();
-    of_open_blocks_.clear();
+    block_warnings_.clear();
 }
 
 bool TokenStream::skip_statement()

@@ -62,7 +62,7 @@ double one_argument(TokenStream& stream, const Token& word, double a)
         const std::int32_t index = to_int32(a);
         if (index < 0 || static_cast<std::size_t>(index) >= streams.size()) refuse(" needs a stream made by seed()");
         std::uint32_t& s = streams[static_cast<std::size_t>(index)];
-        s = 1812433253u * s + 12345u;
+        s = 1812433253u * s + 12345u;  // POV-Ray's generator (spec 1, 5.4)
         return s / 4294967295.0;
     }
     default: stream.fail(stream.place(word), "this function cannot stand here");

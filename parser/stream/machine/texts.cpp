@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-/// Texts.
+/// Operations on strings.
 namespace parser::blocks {
 namespace {
 

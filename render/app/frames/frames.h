@@ -23,6 +23,7 @@ struct FrameList {
     int digits = 1;  ///< of the number in file names
 };
 
+/// Throws OptionError for frames that cannot be.
 FrameList frames_of(const Settings& settings);
 
 }  // namespace app

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-/// Answers about texts: parameters of a request in, its result out. All from tokens, at once.
+/// Answers about texts: the parameters of a request of the protocol in, its result out, both as the protocol has them
+/// (a function is named after its method). All come from tokens, at once. Throw Refusal for parameters that are wrong.
 namespace app::lsp {
 
 /// What answers look into.

@@ -15,7 +15,8 @@ bool read_ini_file(Settings& settings, const std::string& name);
 /// ~/.povray/3.7/povray.ini, /etc/povray/3.7/povray.ini, ~/.povrayrc. With one that names no size it is 160x120.
 void read_default_ini_file(Settings& settings);
 
-/// The lines of an INI file. \param section only its lines and those before the first section apply
+/// The lines of an INI file.
+/// \param section  only its lines and those before the first section apply
 void apply_ini_text(Settings& settings, const std::string& text, const std::string& section,
                     const std::string& file_name);
 

@@ -23,7 +23,8 @@ struct OwnOption {
 
 std::span<const OwnOption> own_options();
 
-/// Null if there is none. \param word with its dashes, with or without "=value"
+/// Null if there is none.
+/// \param word  with its dashes, with or without "=value"
 const OwnOption* find_own_option(std::string_view word);
 
 /// Applies `--name`, `--name=value`; `next` is the argument behind it, and true is returned if that was its value.

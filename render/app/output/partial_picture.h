@@ -12,8 +12,9 @@ namespace app {
 /// every second or third pixel of a row and of a column.
 class PartialPicture {
 public:
-    /// \param path of the picture \param settings of the picture's file \param in_strips only some rows of the picture
-    /// are in memory at a time
+    /// \param path  of the picture
+    /// \param settings  of the picture's file
+    /// \param in_strips  only some rows of the picture are in memory at a time
     PartialPicture(const image::Files& files, const std::string& path, int width, int height,
                    image::FileSettings settings, bool in_strips);
 

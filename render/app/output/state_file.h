@@ -38,11 +38,12 @@ public:
     const std::vector<bool>& done() const { return done_; }
     std::size_t resumed() const { return resumed_; }
 
-    /// A block stands in the picture; from any thread. Writes it, and all that wait, once the time has come.
+    /// Notes that a block is finished in the picture, and once `after` seconds are over writes it and all that wait.
+    /// From any thread.
     void finished(std::size_t block, const image::Image& picture);
-    /// Writes all that wait: the render ends early. False if no block is finished or the file cannot be written.
+    /// Writes all that wait, as the render ends early. False if no block is finished or the file cannot be written.
     bool keep(const image::Image& picture);
-    /// The picture is in place: no longer needed.
+    /// Deletes the file once the picture is in place.
     void remove();
 
     const std::string& path() const { return path_; }
@@ -69,8 +70,8 @@ private:
     bool broken_ = false;  ///< cannot be written: the render goes on without
 };
 
-/// FNV-1a with 64 bits over words of 8 bytes, the last one filled up with zeros, for identities and checks. \param
-/// so_far of what comes before
+/// FNV-1a with 64 bits over words of 8 bytes, the last one filled up with zeros: for identities and checks.
+/// \param so_far  the hash of what comes before
 std::uint64_t hash_of(const void* bytes, std::size_t count, std::uint64_t so_far = 0xcbf29ce484222325ULL);
 
 }  // namespace app

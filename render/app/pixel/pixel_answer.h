@@ -15,7 +15,8 @@ struct PixelAnswer {
     std::string text;
 };
 
-/// Explains a pixel of the picture that the settings and the description make. \param cancel ends its tracing
+/// Explains a pixel of the picture that the settings and the description make.
+/// \param cancel  ends its tracing
 PixelAnswer pixel_answer(const Settings& settings, const scene::Description& description, int x, int y,
                          const std::atomic<bool>& cancel);
 

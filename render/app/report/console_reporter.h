@@ -60,9 +60,11 @@ private:
     Streams& streams_;
 };
 
+/// The reporter in the words that the settings ask for (--console, or the program's name).
 std::unique_ptr<ConsoleReporter> make_reporter(const Settings& settings, Streams& streams);
 
-/// An error of the options, before there is anything to tell of. \param command_line as it was given
+/// Reports an error of the options, which comes before there is a reporter.
+/// \param command_line  as it was given
 void tell_option_error(ConsoleStyle style, const std::string& command_line, const std::string& text);
 
 }  // namespace app

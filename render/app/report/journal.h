@@ -37,7 +37,8 @@ public:
     /// An error that nobody needs to be told of.
     void record_error(const std::string& text) { errors_ = {{scene::Severity::Error, text, {}, {}, {}, {}}}; }
 
-    /// The record as JSON (docs/command_line.md has its fields). \param status exit status
+    /// The record as JSON (docs/command_line.md has its fields).
+    /// \param status  exit status
     std::string text(int status) const;
 
 private:

@@ -9,7 +9,8 @@ namespace app {
 
 namespace {
 
-/// A run that looks does so within milliseconds, on a busy machine some tens; half a second is what a user is promised.
+/// How long a run may take to notice that it is cancelled. One that looks does so within milliseconds, on a busy
+/// machine within some tens of them; users are promised an end within half a second.
 constexpr std::chrono::milliseconds kGrace{250};
 
 }  // namespace

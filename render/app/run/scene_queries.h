@@ -13,8 +13,9 @@ namespace app {
 /// Answers the parser's questions with the renderer's own parts. Objects and functions asked once are kept compiled.
 class SceneQueries final : public parser::SceneQueries {
 public:
-    /// \param threads that answer many questions; 0: one a core \param cancel when set, many questions end with
-    /// parser::Cancelled \param isa of the kernel that evaluates functions
+    /// \param threads  that answer many questions; 0: one a core
+    /// \param cancel  when set, many questions end with parser::Cancelled
+    /// \param isa  of the kernel that evaluates functions
     SceneQueries(int threads, const std::atomic<bool>& cancel, trace::Isa isa)
         : threads_(threads), cancel_(cancel), isa_(isa)
     {}

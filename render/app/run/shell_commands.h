@@ -17,7 +17,8 @@ struct FailedCommand : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Runs the commands of Pre_Scene_Command and its kin, if --allow-commands is given; else says that it does not.
+/// Runs the commands of Pre_Scene_Command, Post_Frame_Command and so on if --allow-commands is given; else says that
+/// they were not run.
 class ShellCommands {
 public:
     ShellCommands(const Settings& settings, const FrameList& list, ConsoleReporter& reporter)
@@ -41,9 +42,8 @@ private:
 std::string substituted(const std::string& command, const Settings& settings, const FrameList& list,
                         const Frame* frame);
 
-/// The letter of a return action, I S A Q U or F, if it applies to an exit status: by itself for one that is not 0,
-/// with
-/// '-' or '!' in front for 0; else 'I'.
+/// The letter of a return action (I S A Q U F) if it applies to an exit status, else 'I'. A letter alone applies to any
+/// status but 0, one behind '-' or '!' to 0.
 char triggered_action(const std::string& action, int status);
 
 }  // namespace app

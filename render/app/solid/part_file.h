@@ -12,18 +12,19 @@
 /// What files of parts have in common.
 namespace app {
 
-/// The sRGB colour of an object's plain pigment, with the scene's numbers taken as light: the first that is found.
+/// The colour of the first plain pigment that is found in an object, sRGB from 0 to 1; the scene's numbers are taken as
+/// linear light. False: there is none.
 bool color_of(const scene::Object& object, std::array<double, 3>& out);
 
 using PartClock = std::chrono::steady_clock;
 
-/// Nothing is refined later than `seconds` after `start`, or once the run is cancelled.
+/// Options with which nothing is refined later than `seconds` after `start`, or once the run is cancelled.
 solid::RefineOptions refine_options(double tolerance, int cells, PartClock::time_point start, double seconds,
                                     const Cancellation& cancel);
 
-/// Makes a part with lattices that are finer each time, up to `most_cells`, until no place of the object is farther
-/// from it than the tolerance: something narrow was overlooked. `make` is given the options, sets `facts`, and returns
-/// how far the object is off the part.
+/// Makes a part again with twice as many cells, up to `most_cells`, until no place of the object is farther from it
+/// than the tolerance: a coarse lattice may overlook something narrow. `make` is given the options, sets `facts`, and
+/// returns how far the object is off the part.
 template <class Facts, class Make>
 void make_finer(solid::RefineOptions& options, int most_cells, Facts& facts, const Make& make)
 {
@@ -38,7 +39,7 @@ void make_finer(solid::RefineOptions& options, int most_cells, Facts& facts, con
 void tell_too_far(const std::string& part, const char* what, double worst, double tolerance,
                   const solid::RefineFacts& facts);
 
-/// In quotes, as JSON has it.
+/// A JSON string with its quotes.
 std::string json_text(const std::string& text);
 
 }  // namespace app

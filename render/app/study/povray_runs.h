@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// The real POV-Ray as a program, to measure beside.
+/// Runs the real POV-Ray, to compare pictures and times with.
 class PovrayRuns {
 public:
     /// \param program name or path; empty or not POV-Ray's: there is none
@@ -30,7 +30,8 @@ private:
     std::string program_, version_;
 };
 
-/// What was found in the statistics that POV-Ray prints: wall seconds of photons, radiosity and trace together.
+/// Wall seconds of photons, radiosity and trace together, from the statistics that POV-Ray prints; nothing if there are
+/// none.
 std::optional<double> povray_seconds(const std::string& text);
 
 }  // namespace app

@@ -9,10 +9,12 @@
 namespace app {
 
 /// A block of one pass as JSON: its samples, as the picture's file would have them, in base64.
-/// \param pass its number, \param picture of that pass, which covers the view whatever its size
+/// \param pass  its number
+/// \param picture  of that pass, which covers the view whatever its size
 std::string block_event(int generation, int pass, const trace::Block& block, const image::Image& picture,
                         const image::Encoding& encoding);
 
+/// Bytes in base64 with padding (RFC 4648, section 4).
 std::string base64(const std::string& bytes);
 
 }  // namespace app

@@ -14,7 +14,8 @@ namespace app {
 /// of its own that is removed afterwards. One at a time.
 class Comparison {
 public:
-    /// \param reference path of a picture; empty: none \param povray program; empty: none
+    /// \param reference  path of a picture; empty: none
+    /// \param povray  program; empty: none
     Comparison(EventLog& events, std::string reference, std::string povray)
         : events_(events), reference_(std::move(reference)), povray_(std::move(povray))
     {}
@@ -23,7 +24,8 @@ public:
     ~Comparison();
 
     void show_reference();
-    /// \param scene its path \param settings what POV-Ray understands of them goes on its command line
+    /// \param scene  its path
+    /// \param settings  what POV-Ray understands of them goes on its command line
     void run_povray(const std::string& scene, const Settings& settings);
 
 private:

@@ -15,7 +15,8 @@ public:
     /// Of each the last one counts, but for blocks, which add up to a picture, and the scene that these are of.
     enum class Kind { Text, Scene, Controls, Messages, Block, Progress, Done, Compared };
 
-    /// \param json of one line \param pass of a block, larger ones finer
+    /// \param json  of one line
+    /// \param pass  of a block, larger ones finer
     void push(Kind kind, const std::string& json, int generation = 0, int pass = 0);
     /// A pass of a picture is complete: blocks of the coarser ones below it say nothing more.
     void passed(int generation, int pass);

@@ -21,7 +21,8 @@ public:
     Saves& operator=(const Saves&) = delete;
     ~Saves();
 
-    /// Replaces the list. \param any a file with any name in the folders of the list counts: one of them may be missing
+    /// Replaces the list.
+    /// \param any  a file with any name in the folders of the list counts: one of them may be missing
     void follow(const std::vector<std::string>& files, bool any);
 
 private:

@@ -14,10 +14,12 @@ namespace app {
 /// What pages are told besides blocks, as JSON of one line.
 std::string messages_event(int generation, bool wrong, const std::vector<scene::Message>& messages);
 
-/// A text that is going to be read. \param read_at when, in milliseconds since 1970
+/// A text that is going to be read.
+/// \param read_at  when, in milliseconds since 1970
 std::string text_event(int generation, const std::string& file, std::int64_t read_at);
 
-/// A picture that is going to be traced. \param text when the text that it is of was read
+/// A picture that is going to be traced.
+/// \param text  when the text that it is of was read
 std::string scene_event(int generation, int width, int height, std::int64_t text);
 
 /// \param total seconds from the save on

@@ -32,7 +32,8 @@ struct View {
     bool same_text(const View& other) const { return clock == other.clock && declared == other.declared; }
 };
 
-/// The camera moved. \param distance from the eye to what it turns about
+/// The camera moved.
+/// \param distance  from the eye to what it turns about
 scene::Camera moved(const scene::Camera& camera, const View::Orbit& orbit, double distance);
 
 /// A `camera` block that says the same; what it cannot say (a mesh, a normal, a bokeh) is named in a comment.

@@ -16,11 +16,13 @@ struct Comparison {
 };
 
 /// Grey is compared as equal red, green and blue; a missing alpha channel as opaque. Throws FileError where the sizes
-/// differ. \param tolerance largest difference per channel that still agrees, 0 to 255
+/// differ.
+/// \param tolerance  largest difference per channel that still agrees, 0 to 255
 Comparison compare(const Picture& a, const Picture& b, double tolerance);
 
 /// FLIP (flip.h) of two pictures of one size, pixel by pixel, 0 to 1; alpha is left out. Throws FileError where the
-/// sizes differ or a value is not finite. \param a the reference
+/// sizes differ or a value is not finite.
+/// \param a  the reference
 std::vector<float> flip_map(const Picture& a, const Picture& b);
 
 /// A map of flip_map() to look at: black where nothing is to be seen, white where nothing is alike.

@@ -19,7 +19,9 @@ class Ditherer {
 public:
     Ditherer(Dither kind, int width, int channels, int bits);
 
-    /// \param levels of the channels, working space \param curves of the channels \param out as many integers
+    /// \param levels  of the channels, working space
+    /// \param curves  of the channels
+    /// \param out  as many integers
     void round(int x, int y, const float* levels, const Transcoder* const* curves, std::uint16_t* out);
 
 private:

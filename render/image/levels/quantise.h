@@ -39,7 +39,9 @@ public:
     RowQuantiser& operator=(const RowQuantiser&) = delete;
     int channels() const { return channels_; }
     int bits() const { return bits_; }
-    /// \param row its number, from the top \param pixels 4 * width, as Image has them \param out channels * width
+    /// \param row  its number, from the top
+    /// \param pixels  4 * width, as Image has them
+    /// \param out  channels * width
     void round(int row, const float* pixels, std::uint16_t* out);
 
 private:

@@ -70,7 +70,8 @@ private:
         return divided(sum, 4);
     }
 
-    /// Pixels of the block by number; `corners` samples are kept.
+    /// Antialiases these pixels of the block, given by number. The first `corners` samples are those of the block's
+    /// grid and stay; the others are replaced.
     void run(std::span<const std::uint32_t> pixels, std::size_t corners)
     {
         const auto width = static_cast<std::uint32_t>(block_.width), stride = width + 1;
@@ -142,7 +143,8 @@ private:
         add_quarter(q, q, {middle, bottom, right, at[3]});
     }
 
-    /// Which of the samples asked for lies there: squares share those of their edges.
+    /// The number of the sample at a position, asked for now if no square before has done so: squares share the samples
+    /// of their edges.
     std::uint32_t place_of(std::uint32_t pixel, const SamplePosition& nominal)
     {
         // The low bits of such positions are empty, and a product's digits depend on those below alone.
@@ -161,7 +163,7 @@ private:
                 return place;
             }
             if (scratch_.nominal_positions[place] != nominal) continue;
-            // A pixel's squares ask one after the other.
+            // Counted once for each pixel that asks; a pixel's squares ask one after the other.
             if (std::exchange(scratch_.sub_pixels[place], pixel) != pixel) ++scratch_.supersamples;
             return place;
         }

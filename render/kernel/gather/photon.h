@@ -52,6 +52,7 @@ inline Photon make_photon(const glm::dvec3& place, const glm::vec3& flux, const 
     return out;
 }
 
+/// The light that a photon carries, linear RGB.
 inline glm::vec3 flux_of(const Photon& photon)
 {
     if (photon.exponent == 0) return glm::vec3(0);
@@ -60,6 +61,7 @@ inline glm::vec3 flux_of(const Photon& photon)
     return unit * glm::vec3(photon.red, photon.green, photon.blue);
 }
 
+/// The unit direction to where a photon came from, as exact as its two bytes.
 inline glm::vec3 back_of(const Photon& photon)
 {
     constexpr double kStep = std::numbers::pi / 127.0;

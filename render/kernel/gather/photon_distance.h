@@ -8,8 +8,8 @@
 
 namespace trace {
 
-/// How far photons are from a point, squared (spec 6, 3.7). \tparam kFlat  the
-/// sphere is flattened off a surface
+/// Squared distances of photons from a point (spec 6, 3.7).
+/// \tparam kFlat  distances off the plane of the surface count more: the sphere of photons is flattened
 template <bool kFlat>
 class PhotonDistance {
 public:

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-/// Photons where they stay, in a tree that finds those around a point (spec 6, 3.7).
+/// Photons at rest, in a tree that finds those around a point (spec 6, 3.7).
 namespace trace {
 
 /// What light takes from a photon.
@@ -20,9 +20,9 @@ struct PhotonRay {
 
 class PhotonMap {
 public:
-    /// Puts photons in order.
+    /// Builds the tree of photons in any order.
     void build(std::vector<Photon> photons);
-    /// Takes them in the order of a file.
+    /// Takes photons in the order of a photon file, which is that of the tree.
     void take(std::vector<Photon> photons);
 
     bool empty() const { return photons_.empty(); }
@@ -33,14 +33,14 @@ public:
     /// The gather_most nearest within a radius. normal: of the surface, flattens the sphere; null: media.
     void find(const glm::dvec3& point, double radius, const glm::dvec3* normal, NearPhotons& out) const;
 
-    /// The radius that POV-Ray finds out (spec 6, 3.7), or the one that is asked for, times its factor.
+    /// Sets radius(): the one that the scene asks for, else POV-Ray's estimate (spec 6, 3.7), times the scene's factor.
     void find_radius(const scene::PhotonSettings& settings, bool media, LibraryRandom& random);
     double radius() const { return radius_; }
 
     int gather_least = 20, gather_most = 100;
     double expand_increase = 0.2, expand_least = 35.0;
 
-    /// Of points between low and high: what gather() may look at.
+    /// The photons that gather() may find for points in the box from `low` to `high`.
     PhotonReach reach(const glm::dvec3& low, const glm::dvec3& high) const
     {
         return {boxes_, low, high, kWider * radius_};

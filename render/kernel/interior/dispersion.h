@@ -22,20 +22,20 @@ inline float wavelength(int i, int samples)
     return kShortest + kSpectrum * (static_cast<float>(i) + 0.5f) / static_cast<float>(samples);
 }
 
-/// By what an interface bends light of a wavelength more than that in the middle of the spectrum; `dispersion` of both
-/// sides' numbers.
+/// The factor between an interface's relative index at a wavelength (nm) and that in the middle of the spectrum;
+/// `dispersion`: of the interface.
 inline double spectrum_power(double dispersion, float wavelength)
 {
     return numbers::pow(dispersion, -(static_cast<double>(wavelength) - kMiddle) / static_cast<double>(kSpectrum));
 }
 
-/// How an interface bends light of a wavelength: `ratio` in the middle of the spectrum.
+/// The relative index of an interface at a wavelength (nm), from its `ratio` in the middle of the spectrum.
 inline double ratio_at(double ratio, double dispersion, float wavelength)
 {
     return ratio * spectrum_power(dispersion, wavelength);
 }
 
-/// ratio_at() of many rays: a scene has few dispersions and wavelengths, and they are looked up.
+/// ratio_at() with a small cache, since a scene has few dispersions and wavelengths and each costs a power.
 class SpectrumPowers {
 public:
     double ratio_at(double ratio, double dispersion, float wavelength)
@@ -58,7 +58,7 @@ private:
     std::array<Entry, std::size_t{1} << kBits> entries_;
 };
 
-/// Red, green and blue of white light up to a wavelength.
+/// The share of white light's red, green and blue that lies below a wavelength (nm).
 inline glm::vec3 hue_up_to(float wavelength)
 {
     static constexpr float kFirst = 375.0f, kStep = 5.0f;
@@ -72,7 +72,7 @@ inline glm::vec3 hue_up_to(float wavelength)
     return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
 }
 
-/// What one of so many samples is multiplied by: their mean is white, nearly.
+/// The colour of the sample at a wavelength (nm) of `samples` in all. Their mean is nearly white.
 inline glm::vec3 hue(float wavelength, int samples)
 {
     const auto count = static_cast<float>(samples);

@@ -15,7 +15,8 @@ constexpr float kRefined = 0.1f;  // neighbouring samples that differ by more ar
 
 constexpr std::array<TileFloats TileColors::*, 3> kChannels = {&TileColors::red, &TileColors::green, &TileColors::blue};
 
-/// Which of the hits, or of their neighbours.
+/// The hits whose colours in a and b differ by more than kRefined. Other hits of the same rows of the tile may be set
+/// too.
 HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)
 {
     alignas(64) std::array<std::uint32_t, csg::kTileRays> far{};
@@ -32,7 +33,7 @@ HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)
 
 }  // namespace
 
-/// All nodes that are asked for whatever they tell.
+/// Wants all nodes down to the level that is divided in any case (`adaptive`).
 void AreaLight::want_all(int i1, int j1, int i2, int j2, int depth)
 {
     want(i1, j1), want(i2, j1), want(i1, j2), want(i2, j2);
@@ -60,7 +61,7 @@ void AreaLight::want_corners(const std::array<int, 4>& q)
     want(q[0], q[1]), want(q[2], q[1]), want(q[0], q[3]), want(q[2], q[3]);
 }
 
-/// Of hits that see a corner or don't.
+/// The corners of a rectangle that each hit sees either fully or not at all: masks are enough.
 struct AreaLight::LitCorners {
     const TileColors& color;
     std::array<HitMask, 4> lit;
@@ -81,7 +82,7 @@ struct AreaLight::LitCorners {
     }
 };
 
-/// Where something filters the light of one of them.
+/// The corners of a rectangle where something filters the light on its way to some hit: colours.
 struct AreaLight::MixedCorners {
     std::array<TileColors, 4> of;
 
@@ -102,7 +103,7 @@ struct AreaLight::MixedCorners {
     }
 };
 
-/// f(corners), of the kind that the rectangle has for these hits.
+/// Calls f with the rectangle's LitCorners, or with its MixedCorners if light is filtered for one of these hits.
 template <class F>
 auto AreaLight::with_corners(int i1, int j1, int i2, int j2, HitMask hits, F&& f) const
 {

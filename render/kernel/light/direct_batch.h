@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
-/// Rows of light of a tile's hits: layers of their textures. All rows go through a light together, a hit a lane; row d
-/// of every hit lies on page d. What lanes don't know (grain, iridescence, light from behind) goes through the lights
-/// one by one when they have all been asked. The operations are those of surface_light() in the same order.
+/// The rows of light of a tile's hits, a row for each layer of a hit's texture. All rows go through a light together, a
+/// hit a lane; row d of every hit lies on page d. Rows that lanes have no formula for (grain, iridescence, light from
+/// behind) go through the lights one by one at the end. The operations are those of surface_light() in the same order.
 namespace trace {
 
 class DirectBatch {
@@ -26,26 +26,22 @@ public:
         scratch_.rows.closing.clear();
     }
 
-    bool holds(std::size_t k) const { return has(holds_, k); }
-    /// Its colour is that of its rows: no ray goes on from it and no texture is mixed.
+    bool holds(std::size_t k) const { return has(holds_, k); }  ///< whether hit k has rows
+    HitMask all() const { return holds_; }
+    std::uint32_t rows(std::size_t k) const { return rows_[k]; }  ///< of hit k, so far
+    /// Whether the colour of hit k is the sum of its rows: no ray goes on from it and no textures are mixed.
     bool alone(std::size_t k) const { return has(alone_, k); }
     HitMask all_alone() const { return alone_; }
-    bool bent(std::size_t k) const { return has(bent_, k); }
-    HitMask all() const { return holds_; }
+    bool bent(std::size_t k) const { return has(bent_, k); }  ///< whether a layer of hit k bends the normal
     HitMask all_bent() const { return bent_; }
-    /// Those that light changes.
-    HitMask lit() const { return lit_; }
-    /// Those that are lit from any side.
-    HitMask two_sided() const { return two_sided_; }
-    /// Those that wait for LightSamples.
-    HitMask scalar() const { return scalar_; }
-    /// Rows of hit k so far.
-    std::uint32_t rows(std::size_t k) const { return rows_[k]; }
+    HitMask lit() const { return lit_; }              ///< hits whose colour depends on lights
+    HitMask two_sided() const { return two_sided_; }  ///< hits that light from behind reaches too
+    HitMask scalar() const { return scalar_; }        ///< hits with rows that go through the lights one by one
 
     const texture::Finish& top_finish(std::size_t k) const { return *scratch_.rows.pages[0].finish[k]; }
     scene::Color top_pigment(std::size_t k) const { return scratch_.rows.top_pigments.at(k); }
 
-    /// Hits of one layer; their pigments come by color().
+    /// Hits of a texture of one layer; color() hands in their pigments later.
     void begin(HitMask hits, const plan::SingleLayer& single)
     {
         hold(hits);
@@ -120,7 +116,7 @@ public:
         if (finish.phong > 0.0f || finish.specular > 0.0f) at.lobe.set(k, finish);
     }
 
-    /// A node waits for the light of hit k's rows from `first` on; it is given what there is now.
+    /// A node of the queue waits for the light of those rows of hit k that lie from `first` to here.
     void close_node(std::size_t k, std::uint32_t first, std::uint32_t node)
     {
         scratch_.rows.closing.push_back(
@@ -150,7 +146,7 @@ public:
         return false;
     }
 
-    /// The colour of the light at hand, of all hits or of one.
+    /// Sets the colour that the current light has at all hits, or at hit k.
     void begin_light(const glm::vec3& color)
     {
         scratch_.lamp.reaching.fill(color, count_);
@@ -162,16 +158,16 @@ public:
         dark_ = dark(color) ? dark_ | HitMask{1} << k : dark_ & ~(HitMask{1} << k);
     }
 
-    /// It reaches these hits.
+    /// The current light reaches these hits.
     void light(HitMask hits) { reached_ |= hits & ~dark_; }
-    /// It reaches hit k with another colour.
+    /// The current light reaches hit k, with a colour of its own there.
     void light(std::size_t k, const glm::vec3& color)
     {
         begin_light(k, color);
         light(HitMask{1} << k);
     }
 
-    /// Adds what the light at hand gives to the hits that it reaches; it is over then.
+    /// Adds what the current light gives to the rows of the hits that it reaches, and ends that light.
     void add(const light::Light& light, const csg::RayTile& rays)
     {
         for (std::size_t depth = 0; depth < depths_ && reached_ != 0; ++depth)
@@ -179,7 +175,7 @@ public:
         reached_ = 0;
     }
 
-    /// Lights from here to end_group() are summed by themselves first.
+    /// Lights up to end_group() are summed by themselves first: the nodes of an area light with area_illumination.
     void begin_group()
     {
         for (std::size_t depth = 0; depth < depths_; ++depth) {
@@ -198,7 +194,7 @@ public:
         }
     }
 
-    /// Light of all layers as the viewer sees it, for sum(k).
+    /// Works out sum(k): the light of all layers as the viewer sees it.
     void finish()
     {
         if (depths_ == 0) return;
@@ -225,7 +221,7 @@ public:
     }
     glm::vec3 sum(std::size_t k) const { return scratch_.rows.sums[k]; }
 
-    /// Gives the nodes their own light, when the lights are through.
+    /// Gives the nodes of close_node() their light, once all lights have been added.
     void close_nodes(RayQueue& queue) const
     {
         for (const ClosingNode& of : scratch_.rows.closing) {
@@ -239,14 +235,15 @@ public:
 
     /// Pages of rows in use.
     std::size_t depths() const { return depths_; }
-    /// Of a row: the layer's, turned to the viewer.
+    /// The normal of row `depth` of hit k, turned to the viewer.
     glm::dvec3 normal(std::size_t depth, std::size_t k) const
     {
         const RowPage& at = scratch_.rows.pages[depth];
         return has(at.bent, k) ? at.normal(k) : scratch_.hits.normal(k);
     }
 
-    /// The light of the rows that go through the lights one by one. place: of a hit; samples: of a hit, by light.
+    /// Adds the light of the rows that go through the lights one by one. place(k): where hit k lies; samples(k): the
+    /// light that arrives there, by light.
     template <class PlaceOf, class SamplesOf>
     void add_scalar(PlaceOf&& place, SamplesOf&& samples)
     {
@@ -264,7 +261,7 @@ public:
     }
 
 private:
-    /// Hits that had none get rows.
+    /// Notes that these hits have rows.
     void hold(HitMask hits) { holds_ |= hits; }
 
     void copy_normals(RowPage& at)
@@ -274,7 +271,7 @@ private:
         at.nz = scratch_.hits.nz;
     }
 
-    /// Page d; those below it have been opened before.
+    /// Page d, opened if it is the first after those in use.
     RowPage& page(std::size_t d)
     {
         if (d == scratch_.rows.pages.size()) scratch_.rows.pages.emplace_back();
@@ -326,14 +323,14 @@ private:
         return at;
     }
 
-    /// Unit normals of a layer's hits.
+    /// Bends the normals of a layer's hits; they are unit vectors afterwards.
     void bend(const Bend& of)
     {
         RowPage& at = scratch_.rows.pages[of.depth];
         bend_normals(set_, of.normal, of.hits, scratch_, at.nx, at.ny, at.nz);
     }
 
-    /// Pigments of hits; of some, `clear`, opacity counts.
+    /// Takes the pigments of hits. Those in `clear` are dimmed by their opacity, the others count as opaque.
     void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
         tell<&Recorder::pigments>(scratch_, at, hits, clear, c);
@@ -366,7 +363,7 @@ private:
         });
     }
 
-    /// No lamp is asked where a dull layer is wholly clear.
+    /// A dull layer that is wholly clear shows no light, so no lamp is asked for it.
     [[gnu::noinline]] void drop_clear(HitMask hits, const texture::ColorPoints& c)
     {
         for_each_hit(hits, [&](std::size_t k) {
@@ -374,7 +371,7 @@ private:
         });
     }
 
-    /// The same hit by hit.
+    /// color() hit by hit, for few hits.
     void color_each(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
         for_each_hit(hits, [&](std::size_t k) {

@@ -79,8 +79,9 @@ public:
     }
 
 private:
-    /// All that has an end lies nearer to the light. Points of the air in the farthest distance are then seen from the
-    /// light with more digits than it from them: theirs would pass by every box with a room of a unit or so.
+    /// Whether everything bounded lies nearer to the light than `distance`. Rays to points of the air that are very far
+    /// off then begin at the light: from such a point they would have so few digits that they miss boxes by a unit or
+    /// so.
     bool stands_among(const light::Light& light, double distance) const
     {
         const csg::Bvh& bvh = context_.world.data().bvh;

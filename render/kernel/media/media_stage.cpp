@@ -7,7 +7,6 @@
 #include "render/plan/shines_on.h"
 #include "render/kernel/media/media_scratch.h"
 
-
 namespace trace {
 
 MediaStage::MediaStage(Context& context, const SegmentTile& tile)
@@ -41,7 +40,7 @@ void MediaStage::cross(HitMask segments, bool atmosphere)
     }
 }
 
-/// The media of segment k; null: none. Neighbours as a rule have the same.
+/// The media of segment k; null: none. Neighbours mostly have the same, so the last answer is kept.
 const MediaMix* MediaStage::mix_of(std::size_t k, bool atmosphere)
 {
     const InteriorList& inside = tile_.interiors(k);
@@ -80,7 +79,8 @@ void MediaStage::add_segment(std::size_t k, const MediaMix& mix)
     segment.last_piece = static_cast<std::uint32_t>(scratch_.pieces.size());
 }
 
-/// Where each light may reach the segment, the last one: those that the object that ends it is lit by (spec 6, 2.4).
+/// Finds where each light may reach the segment that was added last. Only lights that shine on the object at its end
+/// count (spec 6, 2.4).
 void MediaStage::find_lit(const MediaSegment& segment)
 {
     const plan::CompiledScene& scene = context_.scene;
@@ -103,7 +103,8 @@ void MediaStage::find_lit(const MediaSegment& segment)
     }
 }
 
-/// The next sub-intervals, those of all segments in turn, so that their samples lie near each other. False: no more.
+/// Takes the next sub-intervals, from all segments in turn, so that their samples lie near each other. False: none are
+/// left.
 bool MediaStage::take_parts()
 {
     constexpr std::size_t kMostParts = 1024;  // that need no samples
@@ -144,7 +145,7 @@ void MediaStage::take_part(std::size_t number)
     }
 }
 
-/// Every sample of method 3 tells the same.
+/// Whether all samples of a sub-interval would have the same value, so that method 3 needs none.
 bool MediaStage::is_even(const MediaMix& mix, bool lit) const
 {
     return mix.control->method == plan::Media::Method::Adaptive && !mix.patterned &&
@@ -160,7 +161,7 @@ void MediaStage::work_off()
     else SampledSums(chunk, scratch_.samples, scratch_.asking, sampler_).run();
 }
 
-/// Sub-intervals of each segment one behind the other.
+/// Adds the sub-intervals to their segments, nearest first, each dimmed by those before it.
 void MediaStage::compose()
 {
     for (const MediaPart& part : scratch_.parts) {

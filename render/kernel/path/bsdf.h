@@ -46,7 +46,8 @@ class Bsdf {
 public:
     static constexpr std::size_t kMost = 48;
 
-    /// \param facing the surface's normal, towards the ray \param direction of the ray
+    /// \param facing  the surface's normal, towards the ray
+    /// \param direction  of the ray
     void begin(const glm::dvec3& facing, const glm::dvec3& direction)
     {
         count_ = 0;

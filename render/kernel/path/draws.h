@@ -9,7 +9,8 @@ namespace trace::path {
 class Draws {
 public:
     Draws() = default;
-    /// \param seed of the pixel \param index of the sample in it
+    /// \param seed  of the pixel
+    /// \param index  of the sample in it
     Draws(std::uint32_t seed, std::uint32_t index) : seed_(seed), index_(index) {}
 
     /// The next two dimensions, each in [0, 1).

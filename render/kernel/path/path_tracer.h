@@ -43,7 +43,8 @@ struct FirstHit {
 /// Follows paths for one thread: docs/path_tracing.md.
 class PathTracer {
 public:
-    /// \param scene without radiosity and photons (plan::Options::paths) \param sources of the same, which outlive it
+    /// \param scene  without radiosity and photons (plan::Options::paths)
+    /// \param sources  of the same, which outlive it
     PathTracer(const plan::CompiledScene& scene, const path::Sources& sources, const std::atomic<bool>* cancel);
     ~PathTracer();
     PathTracer(const PathTracer&) = delete;

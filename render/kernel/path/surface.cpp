@@ -13,9 +13,9 @@
 namespace trace::path {
 namespace {
 
-constexpr float kFaint = 1e-5f;  // what less of is seen of a layer shows in no picture
+constexpr float kFaint = 1e-5f;  // a layer that is dimmed to less than this shows in no picture
 
-/// Diffuse light and highlights of a layer. share: of the layer that is its own colour
+/// Adds the lobes of a layer's diffuse light and highlights. share: the layer's opacity
 void add_own_light(Bsdf& bsdf, const HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
                    const glm::dvec3& normal, const glm::vec3& above, float share)
 {
@@ -82,7 +82,7 @@ void SurfaceReader::read(HitContext& hit, const HitDetails& details, Draws& draw
     out_.bsdf.finish();
 }
 
-/// Layers that are drawn by their shares from all that the hit shows; p: in their space afterwards.
+/// Draws one texture of layers at random, by its share in what the hit shows. p is in that texture's space afterwards.
 const texture::Texture& SurfaceReader::drawn_layers(HitContext& hit, const SideTextures& sides, glm::dvec3& p,
                                                     Draws& draws)
 {

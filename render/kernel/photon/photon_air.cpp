@@ -18,7 +18,7 @@ bool PhotonAir::find_mix(const PhotonStretch& stretch)
     return mix_.extinguishes || mix_.scatters;
 }
 
-/// Into sub-intervals, where lights begin and end as where media are seen (spec 6, 2.4 and 2.5).
+/// Cuts the stretch into sub-intervals at the same places as for rays of the camera (spec 6, 2.4 and 2.5).
 void PhotonAir::cut(const PhotonStretch& stretch)
 {
     ranges_.clear();
@@ -91,7 +91,7 @@ void PhotonAir::cross(const PhotonFlight& flight, const PhotonStretch& stretch, 
     color *= share;
 }
 
-/// The sum over points, which are taken.
+/// The sum of the media's extinction at the points, which are removed.
 glm::vec3 PhotonAir::extinction(texture::Points& points)
 {
     glm::vec3 sum(0);

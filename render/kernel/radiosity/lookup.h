@@ -11,8 +11,8 @@
 /// Which samples points may use, and how much they count (spec 6, 4.5).
 namespace trace::radiosity {
 
-/// Points that ask, eight at a time: neighbours read the same lists. What one of them finds, and in which order it is
-/// added up, does not depend on the others.
+/// Up to eight points that ask together, since neighbours read the same lists. What a point finds, and the order in
+/// which it is added up, does not depend on the others.
 class LookupGroup {
 public:
     static constexpr std::size_t kLanes = 8;
@@ -20,15 +20,15 @@ public:
     /// \param smooth  weights fade smoothly, as in the picture for what the camera sees
     explicit LookupGroup(bool smooth) : smooth_(smooth) {}
 
-    /// Points that have more than no weight, and as many quarters of it, read on no further: for whoever asks only
-    /// whether they have.
+    /// Lets a point stop reading once its weight is above 0 and at least quarters / 4: for callers that only ask
+    /// whether it gets that far.
     void stop_at(double quarters)
     {
         stops_ = true;
         quarters_ = static_cast<float>(quarters);
     }
 
-    /// bound: of the error.
+    /// Adds a point. bound: the error_bound of its bounce.
     void add(const glm::dvec3& point, const glm::dvec3& normal, double bound)
     {
         const std::size_t k = count_++;
@@ -40,7 +40,7 @@ public:
     }
     std::size_t size() const { return count_; }
 
-    /// All samples of a grid that the points find.
+    /// Adds up the samples of a grid that the points find.
     void ask(const SampleGrid& grid)
     {
         if (grid.empty()) return;
@@ -56,7 +56,7 @@ public:
         read(grid, lists.data(), count);
     }
 
-    /// One sample that all points find.
+    /// Adds a sample that all points may use.
     void ask(const Sample& sample)
     {
         for (std::size_t k = 0; k < kLanes; ++k) {
@@ -87,8 +87,8 @@ private:
         std::uint32_t chunk;
     };
     static constexpr std::size_t kMostLists = 64;
-    static constexpr float kSame = 1e-5f;     ///< of a sample's reach: the point is where the sample is
-    static constexpr float kBehind = -0.05f;  ///< so far behind a point may a sample lie
+    static constexpr float kSame = 1e-5f;     ///< relative to a sample's reach: nearer points lie where the sample does
+    static constexpr float kBehind = -0.05f;  ///< how far behind a point a sample may lie
 
     /// The lists of one size of cells.
     void add_lists(const SampleGrid& grid, const SampleGrid::Level& level, List* lists, std::size_t& count) const

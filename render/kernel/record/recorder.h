@@ -7,7 +7,8 @@
 /// How stages tell what they do (docs/tools/explain.md): tell<&Recorder::what>(scratch, ...).
 namespace trace {
 
-/// Writes to a Record what shading with a scratch does. Of the tile at hand what has been told so far, by hit.
+/// Writes to a Record what shading with a scratch does. Its members hold what has been told of the current tile, by
+/// hit.
 class Recorder {
 public:
     Recorder(const plan::CompiledScene& scene, ShadeScratch& scratch, Record& into);
@@ -15,15 +16,16 @@ public:
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
-    /// ShadeScratch::air of these segments has one effect more.
+    /// An effect has been added to ShadeScratch::air of these segments.
     void air(HitMask segments, RecordedAir::Effect effect);
-    /// Pigments of hits' rows of a page; clear: those whose opacity counts.
+    /// The pigments of hits' rows on a page are known; clear: the hits whose opacity counts.
     void pigments(RowPage& page, HitMask hits, HitMask clear, const texture::ColorPoints& of);
-    /// A colour is that of one of several textures.
+    /// The colour of a slot is that of one entry of several textures.
     void entry(ColorSlot slot, std::uint32_t entry, bool of_map) { entries_.push_back({slot, entry, of_map}); }
-    /// What the shadow rays in ShadeScratch::shadow have told. in_order: ray i is hit i's, not that of its lane.
+    /// The shadow rays in ShadeScratch::shadow are answered. in_order: ray i is hit i's, not that of its lane.
     void shadow_rays(bool in_order);
-    /// Those to places of an area light, of these hits: which of them see it, and which through something.
+    /// Shadow rays of these hits to a node of an area light are answered; lit: hits that see it, filtered: through
+    /// something.
     void area_rays(const std::uint32_t* hits, std::size_t count, HitMask lit, HitMask filtered);
     /// A part of what the lamp at hand gives to rows of a page is diffuse light.
     void diffuse(const RowPage& page, HitMask rows, const TileFloats& amount);

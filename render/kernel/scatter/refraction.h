@@ -40,13 +40,14 @@ struct Refracted : Refraction {
     out.interiors = around;
 }
 
-/// False where nothing is behind the surface: it has no interior.
+/// Finds the ray that goes on behind a surface. False: nothing is behind it, as it has no interior.
 bool refract(const Context& context, const HitPlace& hit, const glm::dvec3& top_normal, float weight, Refracted& out);
 
-/// Whether a ray is bent rather than mirrored within, and then where and how long POV-Ray's direction is. d: as long as
-/// that.
+/// Bends direction d (as long as POV-Ray's) at an interface: out.ray.direction, with POV-Ray's length in out.stretch.
+/// False: total reflection.
 bool bend(const glm::dvec3& d, const glm::dvec3& normal, double ratio, RayState& out);
 
+/// The ray that a mirror with this normal throws back, with the weight that it is given.
 RayState mirrored(const Context& context, const HitPlace& hit, const glm::dvec3& normal, float weight);
 
 /// Where a ray that leaves a hit begins to look.

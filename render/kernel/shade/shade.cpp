@@ -43,9 +43,9 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     queue.end_tile();
 }
 
-/// Hits of queued rays, which are of one kind or of kinds that see the same. Where flat mirrors show the camera's image
-/// they would form a beam from one point; that saves nothing, and hits have the digits of rays of their own so, which
-/// patterns with edges need.
+/// Finds the hits of queued rays, which are of one kind or of kinds that see the same objects. Rays off a flat mirror
+/// could go as a beam from the mirrored eye; that saves nothing, and the hits would lose the digits that separate rays
+/// have, which patterns with edges show.
 void intersect(Context& context, const QueuedRay* queued, int count)
 {
     ShadeScratch& scratch = context.scratch.shade;
@@ -57,7 +57,7 @@ void intersect(Context& context, const QueuedRay* queued, int count)
     context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segments.hits);
 }
 
-/// The batch of rays that waits last: traced and shaded, up to a tile of them.
+/// Traces and shades the batch of rays that has been queued last, up to a tile of them.
 void shade_queued(Context& context, const RayState& camera)
 {
     ShadeScratch& scratch = context.scratch.shade;
@@ -73,7 +73,7 @@ void shade_queued(Context& context, const RayState& camera)
 
 }  // namespace
 
-// Never a part of what calls it: tests/lean count instructions by its name.
+// Never inlined: tests/lean counts instructions by its name.
 [[gnu::noinline]] void shade_tile(Context& context, const RayTile& rays, const HitTile& hits, const RayState& first,
                                   const InteriorList* starts, scene::Color* out)
 {

@@ -18,7 +18,7 @@ namespace trace {
 namespace {
 
 constexpr double kFromBelow = 1e-10;  ///< where rays from below a surface begin: they start on none
-constexpr std::size_t kFewest = 40;   ///< rays that are worth a beam of their own
+constexpr std::size_t kFewest = 40;   ///< rays waiting at the end of an octant that are worth a beam of their own
 
 class SubsurfaceLight {
 public:

@@ -11,6 +11,7 @@ namespace trace {
 inline constexpr double kNearlyZero = 1e-10;  ///< light and index differences below it count as none
 inline constexpr float kDark = 1e-10f;        ///< kNearlyZero for colours
 
+/// Whether no channel of a light counts; NaN counts as dark.
 inline bool dark(const glm::vec3& c)
 {
     return !(std::abs(c.x) > kDark || std::abs(c.y) > kDark || std::abs(c.z) > kDark);

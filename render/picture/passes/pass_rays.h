@@ -13,7 +13,8 @@ struct Pass {
     bool pretrace = true;
 };
 
-/// The passes that settings ask for (spec 6, 4.7), and a last one over all pixels by the rules of the picture.
+/// The pretrace passes that the settings ask for (spec 6, 4.7), and a last one over all pixels by the rules of the
+/// picture itself.
 std::vector<Pass> passes(double pretrace_start, double pretrace_end, int width, int height);
 
 /// The parts of a picture that POV-Ray looks at by themselves, whatever the block size is here.

@@ -57,8 +57,8 @@ public:
     /// Root mean square over pixels of the window and colours that the means are expected to be off by, in shown
     /// levels. The places of samples are spread evenly, and so are those of the first half of them and of the rest: how
     /// far the means of both are apart tells more than the spread, which knows nothing of places. Of few pixels that
-    /// differ it tells little: it counts for no less than a quarter of what the spread says. \param variances of the
-    /// same
+    /// differ it tells little: it counts for no less than a quarter of what the spread says.
+    /// \param variances  of the same
     double expected_error(const std::vector<double>& variances, const ShownLevel& shown,
                           const plan::Options& window) const;
 
@@ -68,7 +68,8 @@ public:
     /// Where time is short one pixel in so many squared comes first, coarse to fine, from the window's corner on.
     static constexpr std::array kCoarse{32, 8, 2};
     /// Pixels of the window without a sample become like the one that stands for them: the finest of the coarse that
-    /// has one. \param image as shown
+    /// has one.
+    /// \param image  as shown
     void fill(image::Image& image, const plan::Options& window) const;
 
 private:

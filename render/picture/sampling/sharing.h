@@ -15,7 +15,8 @@ struct Sharing {
     double most;                          ///< of a pixel
 
     /// How many more samples the pixels of the window get, into `wanted`. False: none.
-    /// \param share of the error as it is that is aimed at; 0: as much as there is room for \param room samples
+    /// \param share  of the error as it is that is aimed at; 0: as much as there is room for
+    /// \param room  samples
     bool share_out(double share, double room, std::span<std::uint32_t> wanted) const;
 
 private:

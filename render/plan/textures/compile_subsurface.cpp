@@ -9,8 +9,7 @@
 namespace plan {
 namespace {
 
-
-/// Digits of n in a base, mirrored at the radix point.
+/// The digits of n in a base, mirrored at the radix point: the van der Corput sequence.
 double radical_inverse(std::uint32_t n, std::uint32_t base)
 {
     double weight = 1.0, sum = 0.0;

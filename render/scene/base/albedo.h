@@ -2,7 +2,6 @@
 
 #include "numbers/functions/functions.h"
 
-
 /// What amounts written with `albedo` are multiplied by: they are shares of the light sent out over all directions
 /// (spec 3, 7.5 and 7.7).
 namespace scene {

@@ -9,8 +9,8 @@
 namespace solid {
 namespace {
 
-constexpr double kFilm = 1e-9;         // of the body's size: less is left out
-constexpr double kIsoAccuracy = 1e-6;  // of the container: an isosurface is told so exactly, drawn or not
+constexpr double kFilm = 1e-9;         // relative to the body's size: shorter chords are left out
+constexpr double kIsoAccuracy = 1e-6;  // relative to the container: how exactly isosurfaces are found at least
 constexpr std::uint32_t kFewSpans = 8;
 
 /// The same object with isosurfaces that are found more exactly, and julia sets from which no crossing is left out.

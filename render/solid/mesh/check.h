@@ -25,6 +25,7 @@ struct MeshCheck {
     std::string complaint() const;
 };
 
+/// Counts what a mesh has wrong; its volume is positive where triangles face outward.
 MeshCheck check(const TriangleMesh& mesh);
 
 }  // namespace solid

@@ -51,8 +51,9 @@ glm::dvec3 kept_inside(double share_kept, const std::array<double, N>& own, cons
 }
 
 /// The place nearest to `point` on the line along the unit vector `out` where the line leaves the body, or passes at
-/// all. \param folded whether parts of the line that the surface is farther from than half of Finish::narrow lie
-/// between passages
+/// all.
+/// \param folded  whether parts of the line that the surface is farther from than half of Finish::narrow lie between
+///        passages
 bool passage(const Body& body, const Finish& finish, const glm::dvec3& point, const glm::dvec3& out, double low,
              double high, bool leaving, SurfacePoint& found, double& t, bool* folded = nullptr)
 {

@@ -15,8 +15,8 @@ struct FaceCut {
     bool sharp = false;
 };
 
-/// \param lone the corner on its own side of the boundary \param p, q where the surface passes through the edges
-/// from `lone` to m and n
+/// \param lone  the corner on its own side of the boundary
+/// \param p, q  where the surface passes through the edges from `lone` to m and n
 FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone, const glm::dvec3& m,
                  const glm::dvec3& n, bool lone_inside, const SurfacePoint& p, const SurfacePoint& q);
 
@@ -33,6 +33,7 @@ struct Polygon {
     bool any_on_face = false;
 };
 
+/// How the polygon in which the boundary passes a tetrahedron becomes triangles.
 struct CentreCut {
     bool needed = false;  ///< triangles go from the polygon's sides to `place`; else the polygon is cut as it is
     bool coarse = false;  ///< some of them are too far off

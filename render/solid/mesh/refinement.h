@@ -24,14 +24,15 @@ struct RefineFacts {
     int rounds = 0;
     std::size_t parts = 0;       ///< that space was divided into
     std::uint64_t lost = 0;      ///< edges whose ends are on two sides though no chord ends between them
-    bool full = false;           ///< there was no room to refine where it was wanted
-    bool late = false;           ///< there was no time to
+    bool full = false;           ///< `most_parts` kept it from refining where it was wanted
+    bool late = false;           ///< the deadline did
     std::size_t unresolved = 0;  ///< places that would have been refined, but are small enough
 };
 
-inline constexpr double kAimedShare = 0.5;  // of the tolerance: what is aimed at between the places that are looked at
-inline constexpr int kMostRefinements = 200;
-inline constexpr std::size_t kPartsOfTask = 64;
+inline constexpr double kAimedShare =
+    0.5;  // of the tolerance: the aim at places that are looked at; others may be worse
+inline constexpr int kMostRefinements = 200;     // rounds
+inline constexpr std::size_t kPartsOfTask = 64;  // edges or parts that a thread takes at a time
 
 /// The edges that the boundary passes, by their keys.
 class CutTable {

@@ -23,6 +23,7 @@ std::vector<Loop> without_straight_points(const std::vector<Loop>& loops, double
 /// From a point to the straight line between two others.
 double distance_to_side(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b);
 
+/// The area within loops, holes running the other way round, and the length of all of them, scene units.
 double area_of(const std::vector<Loop>& loops);
 double length_of(const std::vector<Loop>& loops);
 

@@ -1,7 +1,7 @@
 // Animations as POV-Ray 3.7.0.10 runs them. Each animation is what it printed and which files it made for
 //     povray a.pov OPTIONS +W4 +H3 -D
 // with the scene below. (Where its clock is no number, for one frame, Whittle has the initial clock:
-// tests/.../frames.cpp.)
+// options/frames.cpp.)
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -15,7 +15,8 @@ using namespace image;
 
 namespace {
 
-/// Of 5x3 pixels; \param order  bits 5 and 4 of its descriptor
+/// Of 5x3 pixels;
+/// \param order  bits 5 and 4 of its descriptor
 ByteList targa(std::uint8_t kind, std::uint8_t bits, std::uint8_t order, const ByteList& rest)
 {
     ByteList bytes(18);

@@ -1,9 +1,32 @@
 #pragma once
 
-// The end of token_stream.h: include that.
+// Templates of TokenStream; token_stream.h includes this at its end, and everybody else includes token_stream.h.
 #include "parser/stream/token_stream.h"
 
 namespace parser {
+
+/// The stream reads other tokens as long as this lives, and then goes on where it was.
+class TokenStream::Again {
+public:
+    Again(TokenStream& stream, const Token* begin, const Token* end);
+    ~Again();
+    Again(const Again&) = delete;
+    Again& operator=(const Again&) = delete;
+
+private:
+    TokenStream& stream_;
+    std::size_t depth_;
+    const Token *ahead_, *last_;
+    bool has_ahead_, ahead_raw_, raw_operators_;
+    std::uint64_t left_;
+};
+
+template <class Read>
+void TokenStream::read_again(const Token* begin, const Token* end, Read&& read)
+{
+    const Again again(*this, begin, end);
+    read();
+}
 
 template <class T>
 std::optional<T> TokenStream::accept_identifier()
