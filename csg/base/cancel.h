@@ -7,7 +7,8 @@ namespace csg {
 /// Thrown out of a question to a World when the flag that its Scratch watches is set: nobody wants the answer any more.
 struct Cancelled {};
 
-/// A flag that is looked at once a ray asked alone, once a tile of rays: between two looks lie milliseconds at most.
+/// A flag that the kernel looks at once for each single ray and once for each tile of rays, so at most milliseconds
+/// pass between two looks.
 class CancelWatch {
 public:
     /// \param flag outlives the watch; null: nothing is watched

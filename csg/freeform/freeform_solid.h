@@ -24,36 +24,36 @@ struct Freeform {
         return (surface() ? 0 : 2 * kMostSpans + 2) + (reports_touches() ? IntersectionList::kMostTouches : 0);
     }
 
-    /// Drawn without an inside.
+    /// Whether it is drawn as a mere surface, without an inside.
     bool surface() const;
-    /// Crossings are told beside the surface, or the way there matters: a ray to a point of it must
-    /// begin there.
+    /// Whether reported crossings lie beside the surface or depend on the path of the ray: a shadow ray of a point on
+    /// it then has to start at that point.
     bool has_open_surface() const;
-    /// Smooth where it is not made pointed on purpose: next to nothing of it lies near where a ray leaves it, and
-    /// asking for that takes long.
+    /// Whether it is smooth unless made pointed on purpose: a ray that leaves it hardly ever meets it again nearby, and
+    /// the test for that is slow.
     bool round() const;
-    /// Its normals may be blended between corners: not those of the surface.
+    /// Whether its normals may be interpolated between corners, and so differ from those of the surface.
     bool blends_normals() const;
-    /// Some of it may be drawn that bounds nothing: what a lathe has at a negative radius.
+    /// Whether parts of it may be drawn that bound nothing, as those of a lathe at a negative radius.
     bool reports_touches() const;
-    /// What it draws depends on which way a ray goes: a shadow ray has to come from the point itself.
+    /// Whether its crossings depend on the direction of the ray: a shadow ray has to start at the point itself.
     bool one_way() const;
     bool closed() const;
     bool inverse_closed() const;
     void intersect(const Ray& ray, IntersectionList& out) const;
-    /// Whether many rays are answered sooner together.
+    /// Whether intersect_many() is faster than intersect() ray by ray.
     bool intersects_many() const;
     /// intersect() of the rays of a batch, which are moved into the shape's space.
     void intersect_many(RayBatch& batch) const;
     void intersect(const Ray& ray, SpanList& out) const { spans(ray, -kInfinity, kInfinity, out); }
-    /// Those that meet [from, to]: correct within that range only.
+    /// The spans that meet [from, to]; correct within that range only.
     void spans(const Ray& ray, double from, double to, SpanList& out) const;
-    /// Whether it is soon known that a ray has no crossing from `from` to `to`.
+    /// A cheap test: true where the ray surely has no crossing from `from` to `to`, false where it may have one.
     bool meets_no_more(const Ray& ray, double from, double to) const;
     bool contains(const glm::dvec3& p) const;
     bool contains_inverted(const glm::dvec3& p) const;
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const;
-    /// Those of many points, at most kTileRays, to the bit.
+    /// normal() of many points, at most kTileRays, to the bit.
     void normals(std::span<const glm::dvec3> points, std::span<const std::uint32_t> faces, glm::dvec3* out) const;
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const;
     /// Appends the shares of the shape's parts at world point p; nothing for a shape that has none.

@@ -14,8 +14,8 @@ constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
 constexpr float kLeastExit = 1e-4f;
 constexpr std::size_t kFewestNodes = 4;  // nodes that are not divided
 constexpr float kCostOfNode = 3.0f;
-// Divisions that each part one box from many others take the square of their number: after as many boxes looked at as
-// would be if each were one of 200 halves the order is given up, and the object declared first is the first.
+// Where each division splits off a single box, n boxes take n * n / 2 looks. After as many looks as 200 divisions into
+// halves would take, the order is given up: the object declared first is then tested first.
 constexpr std::size_t kWorkOfItem = 200, kLeastWork = 100000;
 
 float half_area(const glm::vec3& edges) { return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x; }

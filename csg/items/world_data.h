@@ -13,17 +13,17 @@ namespace csg {
 
 /// One thing that is tested on its own: a lone solid or a CSG program.
 struct WorldItem {
-    PartId solid = kNoPart;          ///< kNoPart: a program
-    std::uint32_t program = 0;       ///< index into WorldData::programs
-    std::uint32_t object = 0;        ///< Surface::object
-    std::uint8_t visible = 0xff;     ///< bits of the kinds of ray that see it
-    bool inverted = false;           ///< lone solid only
-    bool all_opaque = true;          ///< every surface of it stops light
-    bool simple = false;             ///< a program whose sum of products suits vector lanes
-    bool plain = false;              ///< and has nothing cut from it
-    bool boolean = false;            ///< a program that is not simple, but whose boolean form suits vector lanes
-    bool many = false;               ///< a solid that answers many rays sooner together, or a program with one
-    std::uint32_t guard = kNoGuard;  ///< index into WorldData::guards
+    PartId solid = kNoPart;       ///< kNoPart: a program
+    std::uint32_t program = 0;    ///< index into WorldData::programs
+    std::uint32_t object = 0;     ///< Surface::object
+    std::uint8_t visible = 0xff;  ///< bits of the kinds of ray that see it
+    bool inverted = false;        ///< lone solid only
+    bool all_opaque = true;       ///< every surface of it stops light
+    bool simple = false;          ///< a program whose sum of products suits vector lanes
+    bool plain = false;           ///< and has nothing cut from it
+    bool boolean = false;         ///< a program that is not simple, but whose boolean form suits vector lanes
+    bool many = false;  ///< a solid that answers a batch of rays faster than one by one, or a program with one
+    std::uint32_t guard = kNoGuard;             ///< index into WorldData::guards
     std::uint32_t instance = Hit::kNoInstance;  ///< an instance, and neither solid nor program
     std::uint32_t unclipped = kNoProgram;  ///< the same without its own clips, where that may hold the start of a ray
 

@@ -29,7 +29,7 @@ struct Light {
     int size1 = 1, size2 = 1, adaptive = 100;
     std::shared_ptr<const Projector> projector;  ///< projected_through; null: nothing
 
-    /// Every lit point has the light in the same direction or sees it at one place: shadow rays form a beam.
+    /// Whether all lit points see the light at one position, so that their shadow rays form a beam.
     bool from_one_point() const { return !parallel && kind != Kind::Cylinder && !area && projector == nullptr; }
 };
 

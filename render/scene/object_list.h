@@ -136,8 +136,9 @@ private:
         next_ += kBlock;
         --free_;
     }
-    /// Whether such a page came fast. In a virtual machine the host may have to find its memory first, in small pages:
-    /// ten times the work of clearing it, and more than small pages that the guest has at hand.
+    /// Touches the block as a huge page; whether that was fast. In a virtual machine the host may first have to find
+    /// the memory in small pages: ten times the work of clearing it, and slower than small pages that the guest already
+    /// has.
     static bool take_huge_page(void* memory)
     {
         constexpr long kSlow =

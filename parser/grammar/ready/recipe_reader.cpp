@@ -38,7 +38,7 @@ bool stays(const Value& value)
            !value.get_if<std::shared_ptr<DataFile>>();
 }
 
-/// `composite` has something to be said about it each time.
+/// `composite` is left out: it warns each time it is read.
 bool is_csg(Kind keyword) { return keyword != Kind::Composite && csg_op(keyword); }
 
 bool changes_part(const ModifierRecipe& one)

@@ -31,7 +31,8 @@ MappedText::~MappedText()
     if (file_ >= 0) close(file_);  // with its lease
 }
 
-/// The system says by a signal that somebody waits: by one that nobody needs to hear, as the wait is short.
+/// The system tells by a signal that somebody waits to write to the file. SIGURG is ignored by default, which is right
+/// here: the lease is held for a short while only.
 bool MappedText::take_lease() const
 {
     return fcntl(file_, F_SETSIG, SIGURG) == 0 && fcntl(file_, F_SETLEASE, F_RDLCK) == 0;

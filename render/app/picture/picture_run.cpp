@@ -125,7 +125,7 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         return;  // random numbers follow from those of the blocks before: none can be taken up
     std::filesystem::path beside(task.path);
     beside.replace_extension(".whittle-state");
-    // A picture that is not whole is never there without what +C goes on with.
+    // A partial picture is never on disk without the state that +C continues from.
     const double after = growing_ ? std::min(settings_.state_after, settings_.partial) : settings_.state_after;
     state_ = std::make_unique<StateFile>(beside.string(), task.identity, blocks_, after);
 }

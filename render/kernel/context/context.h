@@ -75,8 +75,8 @@ struct HitPlace {
     bool from_inside;   ///< the normal had to be turned
 };
 
-/// A hit whose textures are gone through. Made in place, member by member: a copy of what was just written in smaller
-/// pieces waits for all of them.
+/// A hit whose textures are evaluated. Built in place, member by member: a copy of what was just written in smaller
+/// pieces would stall on store forwarding.
 struct HitContext : HitPlace {
     HitContext(const RayState& of, const Hit& at, const plan::Surface& on, const glm::dvec3& p, const glm::dvec3& n,
                int in_use, bool inside, std::size_t k)

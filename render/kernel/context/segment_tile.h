@@ -35,21 +35,21 @@ public:
     HitMask batched() const { return batched_; }
 
     int level(std::size_t k) const { return queued_ == nullptr ? camera_.level + 1 : queued_[k].level; }
-    /// The segments stem from those of other tiles.
+    /// Whether the segments are secondary rays, from hits of other tiles; else they are camera rays.
     bool is_queued() const { return queued_ != nullptr; }
-    /// All segments inherit the same.
+    /// Whether all segments inherit the same state.
     bool alike() const { return queued_ == nullptr && starts_ == nullptr; }
     ColorSlot slot(std::size_t k) const { return queued_ == nullptr ? static_cast<ColorSlot>(k) : queued_[k].slot; }
     const InteriorList& interiors(std::size_t k) const
     {
         return queued_ != nullptr ? queued_[k].state.interiors : starts_ != nullptr ? starts_[k] : camera_.interiors;
     }
-    /// No segment is inside of anything that has an interior.
+    /// Whether no segment is inside of anything that has an interior.
     bool all_outside() const
     {
         return none([](const InteriorList& list) { return list.size(); });
     }
-    /// Nor has any forgotten that it is inside of something solid: fog shows along all of them.
+    /// Whether, besides, none has a clouded list (InteriorList::cloud): fog shows along all of them.
     bool all_open() const
     {
         return none([](const InteriorList& list) { return list.closed(); });
@@ -65,7 +65,7 @@ public:
         return queued_ != nullptr ? queued_[k].state.root : static_cast<std::uint8_t>(k);
     }
     plan::RayKind kind(std::size_t k) const { return queued_ != nullptr ? queued_[k].state.kind : camera_.kind; }
-    /// The ray with all that it inherits, until the next one is asked for.
+    /// The ray with all that it inherits; valid until the next call.
     [[gnu::always_inline]] const RayState& state(std::size_t k) const
     {
         if (queued_ != nullptr) return queued_[k].state;
@@ -118,7 +118,7 @@ public:
 private:
     static constexpr std::size_t kFewSurfaces = 4;  // looked for in lanes
 
-    /// No list of interiors has anything of what is asked for: told without a branch for each.
+    /// Whether `ask` is 0 for every list of interiors: found without a branch for each.
     template <class Ask>
     bool none(const Ask& ask) const
     {
@@ -146,7 +146,7 @@ private:
             });
         context_.world.shading_points(rays, hits, batched_, places);
         for_each_hit(found_ & ~batched_, [&](std::size_t k) {
-            // Made in place: a copy of what was just written in smaller pieces waits for all of them.
+            // Built in place: copying what was just written in smaller pieces would stall on store forwarding.
             const auto i = static_cast<int>(k);
             const HitDetails& at = *new (&scratch_.details[k])
                                        HitDetails(hit_details(context_, rays.ray(i), hits.at(i)));
@@ -157,7 +157,7 @@ private:
         from_inside_ = found_ & turn_to_viewer(rays, places);
     }
 
-    /// Hits that POV-Ray does not tell of, for a word to the user.
+    /// Counts hits beyond the distance at which POV-Ray finds any, so that the user can be told.
     void count_far()
     {
         using csg::lanes::Double;

@@ -46,12 +46,12 @@ inline std::uint32_t boxes_near(const PhotonBoxes::Node& node, const SplitPoint&
     return near;
 }
 
-/// The leaves of PhotonBoxes around a point, first to last: points beside it can do with them too.
+/// The leaves of PhotonBoxes around a point, in their order, kept for the points beside it.
 class NearLeaves {
 public:
     void forget() { reach_ = -1.0; }
 
-    /// Whether these are all leaves nearer to a point than this, and not many more.
+    /// Whether the kept leaves include all within `distance` of a point, and not many more.
     bool serve(const glm::dvec3& point, double distance) const
     {
         constexpr std::size_t kFew = 32;
@@ -60,8 +60,8 @@ public:
                (leaves_.size() <= kFew || reach_ <= kMuchFarther * distance);
     }
 
-    /// How much farther to look than a search of a point asks for, where it is one of many that lie so far apart: what
-    /// the leaves in between cost more is won back when they serve most points, or when they are few anyway.
+    /// How much farther than `distance` to collect leaves around the first of many points that spread over `extent`; 0
+    /// where each should search for itself. The extra leaves pay when they serve most points, or when they are few.
     double beside(double extent, double distance) const
     {
         constexpr std::size_t kFew = 8;
@@ -69,7 +69,7 @@ public:
         return reach_ >= 0.0 && leaves_.size() <= kFew && extent <= 3.0 * distance ? std::min(extent, distance) : 0.0;
     }
 
-    /// Those up to this distance from a point, and as much farther.
+    /// Collects the leaves up to `distance + farther` from a point.
     void find(const PhotonBoxes& boxes, const PhotonReach& from, const glm::dvec3& point, double distance,
               double farther)
     {

@@ -18,16 +18,16 @@ struct NearPhotons {
     };
     std::vector<Near> found;
     double radius2 = 0;   ///< of the sphere that holds them
-    double likely2 = 0;   ///< what to expect of that for a point nearby; 0: nothing
+    double likely2 = 0;   ///< estimate of radius2 for a point nearby; 0: none
     glm::dvec3 asked{0};  ///< the point
     bool few = false;     ///< the point before had too few within the first radius
-    NearLeaves leaves;    ///< looked at for the point before
+    NearLeaves leaves;    ///< those searched for the point before
     PhotonCell around;    ///< of the point before
-    /// What the search keeps: photons that may be among them, and room to put some in order.
+    /// Scratch of the search: candidates, and room to partition them.
     std::vector<float> distances2, parted;
     std::vector<std::uint32_t> numbers;
 
-    /// Before points that have nothing to do with those before.
+    /// Drops what was kept from the point before; call before points that lie elsewhere.
     void forget()
     {
         likely2 = 0.0;

@@ -9,12 +9,14 @@
 
 namespace trace {
 
-/// Lamps at points of the air: the tile that shadow rays start from. It lies in a scratch of its own, since that of the
-/// tile whose segments are crossed still holds its hits.
+/// Light of lamps at points in media: the tile that shadow rays start from. It has a Scratch of its own, since that of
+/// the tile whose segments are being integrated still holds its hits.
 class PointLights {
 public:
-    /// context: with that scratch. met: how far the points lie from the origins of their rays. around: by point, what
-    /// it is inside of. collecting: points that photons bring light to, so that their targets stop the lamps'.
+    /// \param context     with that Scratch
+    /// \param met         how far the points lie from the origins of their rays
+    /// \param around      by point: what it is inside of
+    /// \param collecting  points that collect photons: there photon targets block the lamps' direct light
     PointLights(Context& context, const csg::HitTile& met,
                 const std::array<const InteriorList*, csg::kTileRays>& around, const texture::Points& points,
                 HitMask collecting)
@@ -26,7 +28,8 @@ public:
         scratch_.lamp.photons.lit = collecting;
     }
 
-    /// What arrives from a light of the context at these points, in color(); the points where something does.
+    /// Finds what light `number` of the context brings to the points `asking`, for color(). Returns the points that it
+    /// reaches.
     HitMask ask(std::size_t number, HitMask asking)
     {
         const light::Light& light = context_.lights.lights[number];

@@ -6,14 +6,15 @@
 /// Next-event estimation towards the scene's light_sources.
 namespace trace::path {
 
-/// A lamp that is asked from a hit.
+/// The lamp drawn for a hit, and what it would add there without shadows.
 struct LampSample {
     const light::Light* light = nullptr;  ///< null: none shines here
     light::Illumination lit;
-    glm::vec3 weight{0};  ///< what light of the lamp's colour that arrives adds: BSDF times cosine, pi, over the chance
+    glm::vec3 weight{0};  ///< factor of the light that arrives: BSDF * cosine * pi / probability of the lamp
 };
 
-/// One lamp, drawn by what it would add without shadows, as seen from its middle, and a place of it.
+/// Draws one lamp with a probability proportional to what its centre would add without shadows, and a point on it.
+/// \param chances  scratch
 LampSample sample_lamp(const Context& context, const HitPlace& hit, const Bsdf& bsdf, std::vector<double>& chances,
                        Draws& draws);
 

@@ -7,7 +7,7 @@
 namespace trace::path {
 namespace {
 
-/// Of all faces that a point outside sees.
+/// The area of all faces that a point outside sees.
 double seen_area(const Emitter& body, const glm::dvec3& from)
 {
     if (!body.convex) return body.ends.empty() ? 0.0 : body.ends.back();
@@ -16,7 +16,8 @@ double seen_area(const Emitter& body, const glm::dvec3& from)
     return area;
 }
 
-/// From the axis of a round cylinder to a point, in its radii, and half of the angle that the point sees of its side.
+/// The offset of a point from the axis of a round cylinder, in radii, and half of the angle of its side that the point
+/// sees.
 struct Around {
     double x, y, half;
 

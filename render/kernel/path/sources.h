@@ -28,10 +28,11 @@ struct Emitter {
         double hole = 0;  ///< its radius as a share of the ring's
         glm::dvec3 axis{0};
 
-        /// A place on it and its normal. From: of a side, whose near half it takes.
+        /// A point on it, by two uniform numbers, and its normal. `from`: seen from there; of a side only the near half
+        /// is sampled.
         glm::dvec3 place(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& unit) const;
         glm::dvec3 normal_at(const glm::dvec3& place) const;
-        /// That a point sees: of a flat one all or nothing.
+        /// The area that a point sees: of a flat face all or nothing.
         double seen_area(const glm::dvec3& from) const;
     };
     csg::PartId part = csg::kNoPart;
@@ -45,15 +46,17 @@ struct Emitter {
     double chance = 0;  ///< of being drawn among the emitters
 
     static constexpr std::uint32_t kAnyFace = 0xffffffffu;
-    /// A direction to it from a point outside; its density by solid angle, 0: none. face: that has to be met there.
+    /// Samples a direction to it from a point outside.
+    /// \param face  receives the face that a ray in this direction must meet, or kAnyFace
+    /// \return      density by solid angle, 1/sr; 0: no sample
     double sample(const glm::dvec3& from, const std::array<double, 2>& u, glm::dvec3& direction,
                   std::uint32_t& face) const;
-    /// Whether that face is the one.
+    /// Whether the face that was met is the one asked for.
     bool is(std::uint32_t asked, std::uint32_t met) const
     {
         return asked == kAnyFace || faces.size() == 1 || asked == met;
     }
-    /// The density of the direction that met it there.
+    /// The density, 1/sr, with which sample() draws the direction that met `face` at `distance`.
     double density(const glm::dvec3& from, const glm::dvec3& direction, double distance, std::uint32_t face) const;
 };
 
@@ -65,7 +68,7 @@ public:
 
     glm::dvec3 sample(const std::array<double, 2>& u) const;
     double density(const glm::dvec3& direction) const;  ///< by solid angle
-    /// Of a place in the table: x, y in [0, 1].
+    /// The direction of a place in the table: x, y in [0, 1]; unit.
     static glm::dvec3 direction(double x, double y);
 
 private:
@@ -78,7 +81,7 @@ private:
     std::vector<double> column_ends_;  ///< of each row, row by row; the last of a row is 1
 };
 
-/// What light there is to aim at.
+/// The light that next-event estimation aims at.
 struct Sources {
     std::vector<Emitter> emitters;  ///< by part, ascending
     std::unique_ptr<const SkyTable> sky;

@@ -4,7 +4,7 @@
 #include "render/kernel/path/bsdf.h"
 #include "render/kernel/scatter/refraction.h"
 
-/// From a hit's textures to what it makes of light.
+/// Evaluates a hit's textures to its BSDF and emission.
 namespace trace::path {
 
 /// A hit as a path needs it.
@@ -16,8 +16,8 @@ struct SurfaceLight {
     glm::dvec3 normal{0};  ///< of the top layer
 };
 
-/// Of the textures that a map, an average or the corners of a face mix one is drawn by its weight; all layers of that
-/// count.
+/// Reads the textures of a hit. Where a map, an average or the corners of a face mix several, one is drawn with its
+/// weight as probability; all layers of that one count.
 class SurfaceReader {
 public:
     SurfaceReader(Context& context, SurfaceLight& out) : context_(context), set_(context.scene.textures), out_(out) {}

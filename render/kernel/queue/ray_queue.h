@@ -8,7 +8,7 @@
 
 /// The rays that wait to be traced, and the nodes that say what becomes of their colours. Nothing recurses: a tile of
 /// hits leaves rays and nodes here, the rays are traced a tile at a time, and when the last of them is through its
-/// nodes are folded into the colours that the rays before them wait for (DESIGN: docs/shading.md).
+/// nodes are folded into the colours that the rays before them wait for (docs/shading.md).
 namespace trace {
 
 /// Where a colour lies in RayQueue::colors.
@@ -22,7 +22,7 @@ struct QueuedRay {
 
     /// Not cleared: its state is written where it waits.
     QueuedRay() {}
-    /// Made where it waits: a copy of what was just written in smaller pieces waits for all of them.
+    /// Built in place: copying a state that was just written in smaller pieces would stall on store forwarding.
     QueuedRay(const RayState& of, ColorSlot into, int in_use) : slot(into), level(in_use), state(of) {}
 };
 
@@ -70,7 +70,7 @@ public:
     std::vector<ShadeTerm> terms;
     std::vector<scene::Color> colors;  ///< by ColorSlot
 
-    /// Nothing waits but the colours of this many camera rays, in the first slots.
+    /// Empties the queue and gives the first slots to the colours of this many camera rays.
     void start(std::size_t camera_rays);
 
     ColorSlot new_slot()
@@ -86,24 +86,25 @@ public:
         return ray.slot;
     }
     ShadeNode& new_node(ShadeNode::Kind kind, ColorSlot out);
-    /// Terms of a node, black ones; their first index.
+    /// Adds black terms for a node and returns the index of the first.
     std::uint32_t new_terms(std::size_t count);
 
-    /// Before a tile is shaded, whose rays have left the queue.
+    /// Call before a tile is shaded; its rays have left the queue.
     void begin_tile();
-    /// After it: its rays become batches.
+    /// Call after a tile is shaded: the rays that it queued become batches.
     void end_tile();
-    /// Nothing waits any more.
+    /// Whether no ray waits.
     bool empty() const { return batches_.empty(); }
-    /// Takes rays of the batch that waits last, at most so many, and while they are few the batches before it as well,
-    /// where that makes no more: few rays make a poor beam. How many. alike: whether rays of two kinds may be traced
-    /// together.
+    /// Takes at most `most` rays of the last batch; while they are few, the batches before it as well if they fit
+    /// whole, since few rays make a poor beam.
+    /// \param alike  (kind, kind) -> whether rays of two kinds may be traced together
+    /// \return       how many were written to `out`
     template <class F>
     std::size_t take(std::size_t most, QueuedRay* out, F&& alike);
     /// Folds the nodes of every tile of which no ray waits any more.
     void fold();
 
-    /// What there was when a tile began.
+    /// The sizes of the vectors above when a tile began.
     struct Frame {
         std::size_t rays, mirrors, nodes, terms, colors;
     };

@@ -20,8 +20,8 @@ struct Refracted : Refraction {
     RayState ray;
 };
 
-/// What a ray inherits that goes on from a hit, mirrored or not. Where it waits: a copy of what was just written in
-/// smaller pieces waits for all of them.
+/// Writes the state of a ray that goes on from a hit, mirrored or not. It is built in place: a copy of what was just
+/// written in smaller pieces would stall on store forwarding.
 [[gnu::always_inline]] inline void leave(const RayState& from, int level, std::uint8_t root, const csg::Ray& ray,
                                          float weight, RayState& out)
 {

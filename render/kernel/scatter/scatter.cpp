@@ -41,7 +41,7 @@ double start_of(const Context& context, const HitPlace& hit, const glm::dvec3& d
 
 namespace {
 
-/// The mirrored ray, where it waits: a copy of what was just written in smaller pieces waits for all of them.
+/// Writes the mirrored ray in place: a copy of what was just written in smaller pieces would stall on store forwarding.
 [[gnu::always_inline]] inline void mirror_into(const Context& context, const HitPlace& hit, const glm::dvec3& normal,
                                                float weight, RayState& out)
 {

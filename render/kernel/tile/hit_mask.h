@@ -23,8 +23,7 @@ inline void for_each_hit(HitMask mask, F&& f)
 inline std::size_t first_hit(HitMask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
 inline bool has(HitMask mask, std::size_t k) { return (mask >> k & 1) != 0; }
 
-/// f(k) for the places of a tile of so many hits, and those that fill up its last sixteen: loops without a remainder
-/// for vector lanes.
+/// f(k) for the first `count` places of a tile, rounded up to a multiple of 16, so that vector loops have no remainder.
 template <class F>
 inline void each_place(int count, F&& f)
 {
@@ -34,7 +33,7 @@ inline void each_place(int count, F&& f)
         for (std::size_t k = first; k < first + kBlock; ++k) f(k);
 }
 
-/// Hits so few that it is sooner done for each of them than for all places of the tile.
+/// Whether the hits are so few that a loop over them is faster than one over all places of the tile.
 inline bool few(HitMask hits) { return std::popcount(hits) <= 8; }
 
 using csg::deposited;

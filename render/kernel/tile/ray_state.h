@@ -65,8 +65,8 @@ public:
         return head_.clouded == 0 && std::all_of(items_.data(), items_.data() + head_.count,
                                                  [&](std::uint32_t i) { return interiors[i].hollow; });
     }
-    /// POV-Ray clears the list between the rays of a blurred position and forgets that they were inside something
-    /// solid: a ray is taken to be so still, until it leaves something solid.
+    /// Marks the ray as inside of something solid until it leaves something solid. POV-Ray clears the list between the
+    /// rays of one focal blur position but keeps counting them as inside.
     void cloud() { head_.clouded = 1; }
     void uncloud() { head_.clouded = 0; }
 

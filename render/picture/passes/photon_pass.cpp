@@ -15,12 +15,12 @@
 namespace trace {
 namespace {
 
-/// A light and a target of its.
+/// A light and one of the targets that it shoots photons at.
 struct PhotonUnit {
     std::size_t light, target;
 };
 
-/// Those between which photons go at all, in POV-Ray's order.
+/// The pairs between which photons are shot at all, in POV-Ray's order.
 std::vector<PhotonUnit> units_of(const plan::CompiledScene& scene)
 {
     const plan::PhotonPlan& plan = *scene.photons;

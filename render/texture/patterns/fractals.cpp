@@ -43,7 +43,8 @@ double exterior(const Pattern& pattern, int k, double a, double b)
     }
 }
 
-/// What is told of a point that never escapes. \param smallest the least |z|^2 that it had
+/// The value of a point that never escapes.
+/// \param smallest  the least |z|^2 that it had
 double interior(const Pattern& pattern, double smallest, double a, double b)
 {
     const double f = pattern.numbers[5];
@@ -162,7 +163,8 @@ template <class Rule>
     put_lanes(walk, lanes, out, [&](double a, double b, double) { return exterior(pattern, k, a, b); });
 }
 
-/// Two vectors of points in turn: a step waits for the one before it. \param start (point) -> a walk
+/// Iterates two vectors of points in turn, since each step has to wait for the one before it.
+/// \param start  (point) -> a walk
 template <class Rule, class Start>
 void walk_all(const Pattern& pattern, const Points& p, double* out, Start&& start)
 {
