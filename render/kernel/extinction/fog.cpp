@@ -39,8 +39,9 @@ double most_turbulence(const texture::Fog& fog)
     return std::max(1.0, std::abs(fog.turb_depth) * sum);
 }
 
-/// How much of its turbulence a fog shows at the end of a length; 0: none. Far behind the fog's distance no noise is
-/// large enough to change 1. \param most most_turbulence()
+/// The factor of a fog's turbulence at the end of a length; 0 where the length is so far beyond the fog's distance that
+/// no noise could change the result.
+/// \param most  most_turbulence()
 template <class V>
 V seen_turbulence(const texture::Fog& fog, double most, const V& length)
 {
