@@ -45,6 +45,10 @@ inline void solid_crossings(const T& solid, const Ray& ray, double t_min, double
             offer(in, in_face);
             offer(out, out_face);
         });
+    } else if constexpr (std::is_same_v<T, Torus>) {
+        double t[4];
+        const int n = solid.roots(ray, t);
+        for (int i = 0; i < n; ++i) offer(t[i], 0);
     } else if constexpr (requires { solid.intersect(ray, std::declval<SpanList&>()); }) {
         Span memory[4];
         SpanList spans(memory, 4);
@@ -52,12 +56,6 @@ inline void solid_crossings(const T& solid, const Ray& ray, double t_min, double
         for (const Span& span : spans) {
             offer(span.in.t, span.in.face);
             offer(span.out.t, span.out.face);
-        }
-        if constexpr (std::is_same_v<T, Torus>) {
-            if (!solid.spindle()) return;
-            double t[4];
-            const int n = solid.inner_sheet(ray, t);
-            for (int i = 0; i < n; ++i) offer(t[i], 0);
         }
     } else {
         Interval in;

@@ -7,13 +7,12 @@
 namespace csg {
 namespace {
 
-/// Spans say all about what the solid draws.
+/// Spans say all about what the solid draws, but for a torus' inner sheet.
 bool drawn_by_spans(const SolidStore& store, PartId part)
 {
     return with_solid(store, part, [](const auto& solid) {
         using T = std::decay_t<decltype(solid)>;
-        if constexpr (std::is_same_v<T, Torus>) return !solid.spindle();
-        else if constexpr (std::is_same_v<T, Freeform>) return !solid.surface() && !solid.reports_touches();
+        if constexpr (std::is_same_v<T, Freeform>) return !solid.surface() && !solid.reports_touches();
         else return !std::is_same_v<T, Triangle> && !std::is_same_v<T, Mesh>;
     });
 }

@@ -62,6 +62,7 @@ private:
         double t;
         std::uint32_t face;
         std::uint32_t leaf;
+        bool within = false;  ///< its solid holds what is on both sides
     };
 
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
@@ -76,7 +77,7 @@ private:
         std::uint32_t i = 0;
         while (i < count_ && ends_[i].t < t_min_) ++i;
         for (; i < count_ && ends_[i].t <= t_max_; ++i) {
-            state_ ^= std::uint64_t{1} << ends_[i].leaf;
+            state_ ^= std::uint64_t{ends_[i].within ? 0u : 1u} << ends_[i].leaf;
             bool met = false;
             if (!decide(i, met)) return false;
             if (!met) continue;
@@ -212,6 +213,11 @@ private:
             inside = inside || (span.in.t < t_min_ && span.out.t >= t_min_);
             add_end({span.in.t, span.in.face, which});
             add_end({span.out.t, span.out.face, which});
+        }
+        if (kind_of(leaf.solid) == SolidKind::Torus && reached) {
+            double t[2];
+            const int n = store_.all<Torus>()[index_of(leaf.solid)].inner_sheet(ray_, t);
+            for (int k = 0; k < n; ++k) add_end({t[k], 0, which, true});
         }
         if (inside != leaf.inverted) state_ |= std::uint64_t{1} << which;
         return reached || leaf.inverted;

@@ -166,9 +166,8 @@ private:
             });
         } else if (kind_of(node.solid) == SolidKind::Torus) {
             const Torus& torus = store_.all<Torus>()[index_of(node.solid)];
-            if (!torus.spindle()) return;
-            double t[4];
-            const int n = torus.inner_sheet(ray_, t);
+            double t[2];
+            const int n = spans.empty() ? 0 : torus.inner_sheet(ray_, t);
             for (int i = 0; i < n; ++i) add({.t = t[i], .part = node.solid, .inverted = node.inverted, .closed = true});
         }
     }

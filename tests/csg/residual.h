@@ -105,8 +105,10 @@ inline Quad off(const csg::Cone& s, const Quad3& p, std::uint32_t face)
 inline Quad off(const csg::Torus& s, const Quad3& p, std::uint32_t)
 {
     const Quad3 l = local(s.frame, p);
-    const Quad rho = root(l.x * l.x + l.z * l.z) - s.major;
-    return root(rho * rho + l.y * l.y) - s.minor;
+    const Quad rho = root(l.x * l.x + l.z * l.z);
+    const auto sheet = [&](Quad across) { return root(across * across + l.y * l.y) - s.minor; };
+    const Quad outer = sheet(rho - s.major), inner = sheet(rho + s.major);
+    return (inner < 0 ? -inner : inner) < (outer < 0 ? -outer : outer) ? inner : outer;
 }
 inline Quad off(const csg::Quadric& s, const Quad3& p, std::uint32_t)
 {

@@ -13,7 +13,7 @@ TEST_CASE("what looks say of rays and a torus is what its crossings say", "[csg]
 {
     constexpr auto kAtOnce = static_cast<std::uint32_t>(lanes::kDoubles);
     std::uint32_t said = 0, all = 0;
-    for (const double minor : {0.02, 0.25, 0.6, 0.999}) {
+    for (const double minor : {0.02, 0.25, 0.6, 0.999, 1.2, 3.0}) {
         const Torus torus{1.0, minor, {}};
         const TorusLooks looks(torus);
         for (std::uint32_t seed = 0; seed < 20000; seed += kAtOnce) {

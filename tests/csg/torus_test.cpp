@@ -27,7 +27,7 @@ detail::TorusRay<> along(const Torus& torus, const Ray& ray)
 TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid]")
 {
     int by_factors = 0;
-    for (const double minor : {0.005, 0.1, 0.25, 0.6, 0.999}) {
+    for (const double minor : {0.005, 0.1, 0.25, 0.6, 0.999, 1.01, 1.3, 3.0}) {
         const Torus torus{1.0, minor, {}};
         for (std::uint32_t seed = 0; seed < 4000; ++seed) {
             INFO("minor " << minor << ", seed " << seed);
@@ -46,7 +46,7 @@ TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid
             }
         }
     }
-    CHECK(by_factors > 14000);  // nearly all that are not tangent
+    CHECK(by_factors > 22000);  // nearly all that are not tangent
 }
 
 TEST_CASE("torus: rays along its axis and in its plane", "[csg][solid]")
@@ -68,7 +68,7 @@ TEST_CASE("torus: rays along its axis and in its plane", "[csg][solid]")
 
 TEST_CASE("torus: crossings of tangent rays lie on the surface", "[csg][solid]")
 {
-    for (const double minor : {1e-4, 0.01, 0.25, 0.9}) {
+    for (const double minor : {1e-4, 0.01, 0.25, 0.9, 1.3}) {
         const Torus torus{1.0, minor, {}};
         for (std::uint32_t seed = 0; seed < 2000; ++seed) {
             INFO("minor " << minor << ", seed " << seed);
@@ -78,7 +78,11 @@ TEST_CASE("torus: crossings of tangent rays lie on the surface", "[csg][solid]")
             const int n = torus.roots(ray, t);
             REQUIRE(n % 2 == 0);
             for (int i = 0; i < n; ++i) REQUIRE(csg_test::residual(torus, ray, t[i], 0) < 1e-13);
-            for (int i = 1; i < n; ++i) REQUIRE(t[i - 1] <= t[i]);
+            for (int i = 0; i < n; i += 2) REQUIRE(t[i] <= t[i + 1]);
+            if (n == 4 && !(t[1] <= t[2])) {
+                REQUIRE(torus.spindle());
+                REQUIRE((t[0] <= t[2] && t[3] <= t[1]));
+            }
         }
     }
 }

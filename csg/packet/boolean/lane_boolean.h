@@ -344,7 +344,8 @@ private:
             const BooleanLeaf& leaf = form_->leaves[piece.leaf];
             const Double in = load(piece.t[0], i), out = load(piece.t[1], i);
             const Bool at_in = (t >= in - room) & (t <= in + room), at_out = (t >= out - room) & (t <= out + room);
-            // A leaf's pieces lie apart. (The exclusive or of xsimd 8's masks is a plain or on AVX-512.)
+            // A leaf's pieces lie apart, or one within the other. (The exclusive or of xsimd 8's masks is a plain or on
+            // AVX-512.)
             Bool inside = (in < t) & (t <= out);
             Bool& holds = states_[piece.leaf];
             if (const Bool near = at_in | at_out; lanes::mask(near) != 0) {

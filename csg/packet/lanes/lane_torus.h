@@ -9,8 +9,8 @@
 /// A torus against a tile of rays, in vector lanes.
 namespace csg {
 
-/// The pieces of the rays inside a torus, at most two a ray. Rays that come near it are packed, so that vectors are
-/// full.
+/// The pieces of the rays inside a torus, at most two a ray, as Torus::roots() pairs them. Rays that come near it are
+/// packed, so that vectors are full.
 class TorusEnds {
 public:
     /// Of rays in the mask; the torus is one that detail::factors_serve(). any_will_do: of rays that surely meet it no
@@ -87,9 +87,10 @@ private:
         const auto course = detail::torus_course(torus, o, d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         const std::uint32_t possible = lanes::mask(course.possible);
         if (possible == 0) return;
-        const auto factors = detail::torus_by_factors(course.ray);
+        auto factors = detail::torus_by_factors(course.ray);
         const std::uint32_t safe = lanes::mask(factors.safe), two = lanes::mask(factors.two),
                             four = lanes::mask(factors.four);
+        if ((four & possible) != 0) course.pair(factors.four, factors.roots);
         alignas(64) double t[4][lanes::kDoubles];
         if ((two & possible) != 0)
             for (int k = 0; k < (four != 0 ? 4 : 2); ++k) course.t(factors.roots[k]).store_aligned(t[k]);

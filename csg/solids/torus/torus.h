@@ -19,12 +19,13 @@ struct Torus {
         return rho * rho + (p.y - minor) * (p.y + minor);
     }
 
-    /// All crossings of both sheets in order, at most 4; an even number for a true torus.
+    /// The crossings, at most 4: pairs of entry and exit in order. Of a spindle whose inner sheet is crossed the second
+    /// pair is that of the inner sheet, within the first.
     int roots(const Ray& ray, double (&out)[4]) const;
 
     void intersect(const Ray& ray, SpanList& out) const;
     /// Parameters where the inner sheet of a spindle is crossed: drawn, but no end of a span.
-    int inner_sheet(const Ray& ray, double (&out)[4]) const;
+    int inner_sheet(const Ray& ray, double (&out)[2]) const;
 
     bool contains(const glm::dvec3& p) const { return distance_like(frame.inverse_point(p)) <= 0.0; }
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
@@ -39,9 +40,6 @@ struct Torus {
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t) const;  ///< spec 5a, 6
 
     static constexpr bool kClosed = true, kInverseClosed = false;
-
-private:
-    bool on_inner_sheet(const glm::dvec3& local) const;
 };
 
 }  // namespace csg

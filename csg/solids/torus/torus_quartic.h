@@ -20,6 +20,12 @@ struct TorusRay {
         linear = V(8.0 * r2) * py * dy;
         constant = k * k + V(4.0 * r2) * (py - V(minor)) * (py + V(minor));
     }
+    /// Whether a crossing at t is one of a spindle's inner sheet: the sphere around the places where the sheets meet
+    /// parts them.
+    lanes::Truth<V> inner(V t) const
+    {
+        return px * px + py * py + pz * pz + t * t < V((minor - major) * (minor + major));
+    }
     V derivative(V t) const { return linear + t * (V(2.0) * square + t * t * V(4.0)); }
 
     /// The quartic as the product of its two sheets, evaluated on the surface's own terms: coefficients cannot carry

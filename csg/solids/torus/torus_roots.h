@@ -88,6 +88,18 @@ struct TorusCourse {
     lanes::Truth<V> possible;  ///< false: it is clear of the torus
 
     V t(V root) const { return (shift + (rest + root * V(1.0 / scale))) / length; }
+
+    /// Of crossings in order, the pairs that Torus::roots() tells of. four: the rays that have so many.
+    void pair(lanes::Truth<V> four, V (&roots)[4]) const
+    {
+        if (!(ray.minor > ray.major)) return;
+        const lanes::Truth<V> enters = ray.inner(roots[1]), leaves = ray.inner(roots[2]),
+                              nested = four & enters & leaves;
+        const V entry = roots[1], exit = roots[2];
+        roots[1] = lanes::choose(nested, roots[3], roots[1]);
+        roots[2] = lanes::choose(nested, entry, roots[2]);
+        roots[3] = lanes::choose(nested, exit, roots[3]);
+    }
 };
 
 /// Of |direction|^2: whether the rays come near the sphere around the torus. Most that miss end here, before any square
@@ -141,11 +153,11 @@ inline TorusCourse<V> torus_course(const Torus& torus, const V (&o)[3], const V 
     return out;
 }
 
-/// A thinner tube, or a spindle's inner sheet, asks for the search.
+/// A thinner tube asks for the search.
 inline bool factors_serve(const Torus& torus)
 {
     constexpr double kThin = 1e-3;
-    return torus.major > 0.0 && torus.minor > kThin * torus.major && !torus.spindle();
+    return torus.major > 0.0 && torus.minor > kThin * torus.major;
 }
 
 }  // namespace detail
@@ -169,41 +181,26 @@ inline int Torus::roots(const Ray& ray, double (&out)[4]) const
         }
     }
     if (found < 0) found = detail::torus_by_search(course.ray, course.lo, course.hi, out);
+    if (found == 4) course.pair(true, out);
     for (int i = 0; i < found; ++i) out[i] = course.t(out[i]);
     return found;
-}
-
-inline bool Torus::on_inner_sheet(const glm::dvec3& l) const
-{
-    // On the inner sheet (rho + major)^2 + y^2 = minor^2; on the outer one (rho - major)^2 + y^2 = minor^2.
-    const double rho = std::sqrt(l.x * l.x + l.z * l.z), y = (l.y - minor) * (l.y + minor);
-    return std::abs((rho + major) * (rho + major) + y) < std::abs((rho - major) * (rho - major) + y);
 }
 
 inline void Torus::intersect(const Ray& ray, SpanList& out) const
 {
     double t[4];
     const int n = roots(ray, t);
-    if (!spindle()) {
-        for (int i = 0; i + 1 < n; i += 2) out.push({{.t = t[i]}, {.t = t[i + 1]}});
-        return;
-    }
-    if (n == 0) return;
-    double outer[4];
-    int kept = 0;
-    for (int i = 0; i < n; ++i)
-        if (!on_inner_sheet(frame.inverse_point(ray.at(t[i])))) outer[kept++] = t[i];
-    for (int i = 0; i + 1 < kept; i += 2) out.push({{.t = outer[i]}, {.t = outer[i + 1]}});
+    for (int i = 0; i + 1 < n; i += 2)
+        if (i == 0 || t[i] > t[1]) out.push({{.t = t[i]}, {.t = t[i + 1]}});
 }
 
-inline int Torus::inner_sheet(const Ray& ray, double (&out)[4]) const
+inline int Torus::inner_sheet(const Ray& ray, double (&out)[2]) const
 {
     double t[4];
-    const int n = spindle() ? roots(ray, t) : 0;
-    int kept = 0;
-    for (int i = 0; i < n; ++i)
-        if (on_inner_sheet(frame.inverse_point(ray.at(t[i])))) out[kept++] = t[i];
-    return kept;
+    if (!spindle() || roots(ray, t) < 4 || t[2] > t[1]) return 0;
+    out[0] = t[2];
+    out[1] = t[3];
+    return 2;
 }
 
 }  // namespace csg

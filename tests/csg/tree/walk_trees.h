@@ -16,7 +16,7 @@ inline csg::Solid solid_for_walk(Rng& rng)
     case 2: return csg::OrientedBox{{-0.8, -0.6, -0.7}, {0.7, 0.5, 0.9}, random_transform(rng)};
     case 3: return csg::Plane{rng.direction(), rng.uniform(-0.5, 1.0)};
     case 4: return csg::Cylinder::make(c, -c, rng.uniform(0.2, 0.8), rng.coin(), {});
-    case 5: return csg::Torus{0.8, rng.uniform(0.1, 0.4), random_transform(rng)};
+    case 5: return csg::Torus{0.8, rng.uniform(0.1, rng.coin() ? 0.4 : 1.6), random_transform(rng)};
     case 6: return csg::Disc{};
     default: return csg::Quadric{{1, rng.uniform(-1, 1), 1}, {0.1, 0.2, 0}, {0, 0, 0}, -0.5, random_transform(rng)};
     }
