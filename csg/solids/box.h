@@ -71,9 +71,11 @@ inline glm::dvec3 box_normal(std::uint32_t face)
     return n;
 }
 
-inline bool box_contains(const glm::dvec3& p, const glm::dvec3& lower, const glm::dvec3& upper)
+template <class P>
+inline lanes::TruthOf<P> box_contains(const P& p, const glm::dvec3& lower, const glm::dvec3& upper)
 {
-    return p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y && p.z >= lower.z && p.z <= upper.z;
+    return (p.x >= lower.x) & (p.x <= upper.x) & (p.y >= lower.y) & (p.y <= upper.y) & (p.z >= lower.z) &
+           (p.z <= upper.z);
 }
 
 glm::dvec2 box_uv(const glm::dvec3& local, const glm::dvec3& lower, const glm::dvec3& upper, std::uint32_t face);
@@ -89,8 +91,16 @@ struct Box {
         return box_interval(from, direction, reciprocal(direction), out);
     }
     bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
-    bool contains(const glm::dvec3& p) const { return box_contains(p, lower, upper); }
-    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return box_contains(p, lower, upper);
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return !contains(p);
+    }
     glm::dvec3 normal(const glm::dvec3&, std::uint32_t face) const { return box_normal(face); }
     Aabb bounds() const { return padded({lower, upper}); }
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const { return box_uv(p, lower, upper, face); }
@@ -108,8 +118,16 @@ struct OrientedBox {
         const Ray local = local_ray(frame, ray);
         return box_interval(BoxCorners(lower, upper, local.origin), local.direction, reciprocal(local.direction), out);
     }
-    bool contains(const glm::dvec3& p) const { return box_contains(frame.inverse_point(p), lower, upper); }
-    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return box_contains(lanes::into(frame, p), lower, upper);
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return !contains(p);
+    }
     glm::dvec3 normal(const glm::dvec3&, std::uint32_t face) const { return unit_or_x(frame.normal(box_normal(face))); }
     Aabb bounds() const { return padded(transformed_box(frame, {lower, upper})); }
     glm::dvec2 uv(const glm::dvec3& p, std::uint32_t face) const

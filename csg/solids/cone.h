@@ -42,8 +42,16 @@ struct Cone {
                 out.push(
                     {{.t = part[i].entry, .face = part[i].entry_face}, {.t = part[i].exit, .face = part[i].exit_face}});
     }
-    bool contains(const glm::dvec3& p) const { return open ? grown(p, Cylinder::kSkin) : grown(p, -Cylinder::kSkin); }
-    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return open ? grown(p, Cylinder::kSkin) : grown(p, -Cylinder::kSkin);
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return !contains(p);
+    }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
     {
         if (face == kLowEnd || face == kHighEnd)
@@ -112,11 +120,12 @@ struct Cone {
                      bool open, const Transform& t, Cone& out, double& cylinder_radius);
 
 private:
-    bool grown(const glm::dvec3& p, double by) const
+    template <class P>
+    lanes::TruthOf<P> grown(const P& p, double by) const
     {
-        const glm::dvec3 l = frame.inverse_point(p);
-        const double rim = std::abs(l.z) + by;
-        return rim > 0.0 && l.x * l.x + l.y * l.y < rim * rim && l.z > low - by && l.z < 1.0 + by;
+        const P l = lanes::into(frame, p);
+        const auto rim = lanes::size_of(l.z) + by;
+        return (rim > 0.0) & (l.x * l.x + l.y * l.y < rim * rim) & (l.z > low - by) & (l.z < 1.0 + by);
     }
 };
 

@@ -53,8 +53,16 @@ struct Cylinder {
                narrow(out, {lanes::choose(along, V(-kInfinity), entry), lanes::choose(along, V(kInfinity), exit)});
     }
     bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
-    bool contains(const glm::dvec3& p) const { return open ? grown(p, kSkin) : grown(p, -kSkin); }
-    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return open ? grown(p, kSkin) : grown(p, -kSkin);
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return !contains(p);
+    }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
     {
         if (face == kLowEnd || face == kHighEnd)
@@ -74,11 +82,12 @@ struct Cylinder {
     static constexpr double kSkin = 1e-10;
 
 private:
-    bool grown(const glm::dvec3& p, double by) const
+    template <class P>
+    lanes::TruthOf<P> grown(const P& p, double by) const
     {
-        const glm::dvec3 l = frame.inverse_point(p);
+        const P l = lanes::into(frame, p);
         const double rim = 1.0 + by;
-        return l.x * l.x + l.y * l.y < rim * rim && l.z > -by && l.z < 1.0 + by;
+        return (l.x * l.x + l.y * l.y < rim * rim) & (l.z > -by) & (l.z < 1.0 + by);
     }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 namespace csg {
@@ -25,8 +26,16 @@ struct Disc {
         else out.exit = t, out.exit_face = face;
         return true;
     }
-    bool contains(const glm::dvec3& p) const { return frame.inverse_point(p).z < 0.0; }
-    bool contains_inverted(const glm::dvec3& p) const { return frame.inverse_point(p).z >= 0.0; }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return lanes::into(frame, p).z < 0.0;
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return lanes::into(frame, p).z >= 0.0;
+    }
     glm::dvec3 normal(const glm::dvec3&, std::uint32_t) const { return unit_or_x(frame.normal({0.0, 0.0, 1.0})); }
     Aabb bounds() const { return Aabb::everything(); }  ///< of the half-space
     Aabb drawn_bounds() const;                          ///< of the ring

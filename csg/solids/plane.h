@@ -26,8 +26,16 @@ struct Plane {
     bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
     /// Slack of POV-Ray's own test, an absolute distance (spec 5a, 2.4).
     static constexpr double kSkin = 1e-10;
-    bool contains(const glm::dvec3& p) const { return glm::dot(normal_out, p) - offset < kSkin; }
-    bool contains_inverted(const glm::dvec3& p) const { return offset - glm::dot(normal_out, p) < kSkin; }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return lanes::dot(normal_out, p) - offset < kSkin;
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return offset - lanes::dot(normal_out, p) < kSkin;
+    }
     glm::dvec3 normal(const glm::dvec3&, std::uint32_t) const { return normal_out; }
     Aabb bounds() const;  ///< bounded on one side where the normal is an axis
 

@@ -73,8 +73,16 @@ struct Quadric {
             out.push(Span::from({.t = at.far}));
         }
     }
-    bool contains(const glm::dvec3& p) const { return value(frame.inverse_point(p)) <= 0.0; }
-    bool contains_inverted(const glm::dvec3& p) const { return value(frame.inverse_point(p)) >= 0.0; }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return value(lanes::into(frame, p)) <= 0.0;
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return value(lanes::into(frame, p)) >= 0.0;
+    }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const
     {
         return unit_or_x(frame.normal(gradient(frame.inverse_point(p))));

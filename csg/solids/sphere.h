@@ -44,15 +44,17 @@ struct Sphere {
         return radius > 0.0 ? sphere_interval(from, direction, radius, out) : lanes::TruthOf<D>(false);
     }
     bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
-    bool contains(const glm::dvec3& p) const
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
     {
-        const glm::dvec3 f = p - center;
-        return radius > 0.0 && glm::dot(f, f) < radius * radius;
+        const P f = lanes::difference(p, center);
+        return lanes::dot(f, f) < (radius > 0.0 ? radius * radius : 0.0);
     }
-    bool contains_inverted(const glm::dvec3& p) const
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
     {
-        const glm::dvec3 f = p - center;
-        return glm::dot(f, f) > radius * radius;
+        const P f = lanes::difference(p, center);
+        return lanes::dot(f, f) > radius * radius;
     }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const { return unit_or_x(p - center); }
     Aabb bounds() const;
@@ -72,15 +74,17 @@ struct Ellipsoid {
         return sphere_interval(from, lanes::turned(frame, direction), 1.0, out);
     }
     bool interval(const Ray& ray, Interval& out) const { return interval(start(ray.origin), ray.direction, out); }
-    bool contains(const glm::dvec3& p) const
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
     {
-        const glm::dvec3 f = frame.inverse_point(p);
-        return glm::dot(f, f) < 1.0;
+        const P f = lanes::into(frame, p);
+        return lanes::dot(f, f) < 1.0;
     }
-    bool contains_inverted(const glm::dvec3& p) const
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
     {
-        const glm::dvec3 f = frame.inverse_point(p);
-        return glm::dot(f, f) > 1.0;
+        const P f = lanes::into(frame, p);
+        return lanes::dot(f, f) > 1.0;
     }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const
     {

@@ -1,4 +1,5 @@
 #include "csg/tree/program.h"
+#include "csg/tree/contains.h"
 
 #include "csg/tree/polyhedron_box.h"
 #include "csg/tree/quadric_box.h"
@@ -273,33 +274,6 @@ void add_sieves(Program& program)
     }
 }
 
-/// Whether p lies outside of the node's box; not if it is no number.
-bool beyond(const Node& node, const glm::dvec3& p)
-{
-    bool out = false;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<std::size_t>(axis);
-        out |= p[axis] < static_cast<double>(node.lower[k]) || p[axis] > static_cast<double>(node.upper[k]);
-    }
-    return out;
-}
-
-/// Whether p is inside node i.
-bool contains(const std::vector<Node>& nodes, std::uint32_t i, const SolidStore& store, const glm::dvec3& p)
-{
-    const Node& node = nodes[i];
-    if (node.test_box && beyond(node, p)) return node.inside_beyond;
-    if (node.op == Op::Leaf)
-        return with_solid(store, node.solid, [&](const auto& solid) {
-            return node.inverted ? solid.contains_inverted(p) : solid.contains(p);
-        });
-    if (node.op == Op::Guard) return contains(nodes, i + 1, store, p);
-    const bool both = node.op == Op::Intersection || node.op == Op::Clip;
-    for (std::uint32_t k = i + 1; k < node.end; k = nodes[k].end)
-        if (contains(nodes, k, store, p) != both) return !both;
-    return both;
-}
-
 }  // namespace
 
 Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
@@ -336,7 +310,7 @@ void Scratch::grow_pieces(std::size_t count)
 
 bool contains(const Program& program, const SolidStore& store, const glm::dvec3& p)
 {
-    return !program.nodes.empty() && contains(program.nodes, 0, store, p);
+    return !program.nodes.empty() && contains(program.nodes, 0, store, p, true);
 }
 
 }  // namespace csg

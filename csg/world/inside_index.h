@@ -16,9 +16,21 @@ public:
 
     bool holds(const glm::dvec3& point) const;
 
+    /// The same of up to 64 points; bit i: the one at <x[i], y[i], z[i]>. Aligned, with room for whole vectors.
+    std::uint64_t holds(const double* x, const double* y, const double* z, std::size_t count) const;
+
 private:
+    struct Placed {
+        std::uint32_t item;
+        Aabb box;
+    };
+
+    template <class Asked>
+    std::uint64_t find(const Asked& asked, std::uint64_t left) const;
+
     const WorldData& world_;
-    std::vector<std::uint32_t> unbounded_;  ///< items that have no finite box, or hold what lies outside of it
+    std::vector<Placed>
+        apart_;  ///< items that have no finite box, or hold what lies outside of it; all, if they are few
     Bvh boxes_;
 };
 

@@ -1,5 +1,5 @@
 #include "csg/world/world.h"
-#include "csg/items/world_item.h"
+#include "csg/world/item_holds.h"
 
 #include <algorithm>
 
@@ -17,18 +17,7 @@ void World::containing(const glm::dvec3& point, std::vector<std::uint32_t>& out)
 
 bool World::item_holds(std::uint32_t index, const glm::dvec3& point) const
 {
-    const WorldItem& item = data_->items[index];
-    if (item.instance != Hit::kNoInstance) {
-        const Instance& one = data_->instances[item.instance];
-        const glm::dvec3 own = one.frame.inverse_point(point);
-        for (std::uint32_t i = 0; i < one.world->items.size(); ++i)
-            if (World(*one.world).item_holds(i, own)) return true;
-        return false;
-    }
-    if (item.solid == kNoPart) return contains(data_->programs[item.program], data_->store, point);
-    return with_solid(data_->store, item.solid, [&](const auto& solid) {
-        return item.inverted ? solid.contains_inverted(point) : solid.contains(point);
-    });
+    return csg::item_holds(*data_, index, point, true);
 }
 
 bool World::item_holds_start(std::uint32_t index, const glm::dvec3& point) const

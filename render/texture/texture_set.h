@@ -4,11 +4,14 @@
 #include "render/scene/base/color.h"
 #include "render/scene/textures/volume.h"
 #include "render/texture/image.h"
-#include "render/texture/inside_test.h"
 #include "render/texture/pattern.h"
 
 #include <memory>
 #include <vector>
+
+namespace csg {
+class InsideIndex;
+}
 
 /// All textures of a scene as flat arrays: built once by plan/, read by every thread.
 namespace texture {
@@ -98,7 +101,7 @@ struct TextureSet {
     std::vector<Warp> warps;
     std::vector<Image> images;
     std::vector<std::shared_ptr<const scene::Volume>> volumes;
-    std::vector<std::shared_ptr<const InsideTest>> objects;
+    std::vector<std::shared_ptr<const csg::InsideIndex>> objects;
     std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
     std::vector<float> keys;
     std::vector<scene::Color> colors;

@@ -24,7 +24,7 @@ TEST_CASE("sphere", "[csg][solid]")
     check_solid(Sphere{{1e6, 0, 0}, 1.0}, {.target = {1e6, 0, 0}, .tolerance = 1e-9});
     check_solid(Sphere{{0, 0, 0}, 1.0}, {.distance = 1e6, .tolerance = 1e-9});
     check_hostile(Sphere{});
-    CHECK_FALSE(Sphere{{0, 0, 0}, 0.0}.contains({0, 0, 0}));
+    CHECK_FALSE(Sphere{{0, 0, 0}, 0.0}.contains(glm::dvec3(0.0)));
 }
 
 TEST_CASE("ellipsoid", "[csg][solid]")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 
 namespace csg {
@@ -13,9 +14,10 @@ struct Torus {
     bool spindle() const { return minor > major; }
 
     /// Signed: negative inside. For a spindle negative on both sides of the inner sheet.
-    double distance_like(const glm::dvec3& p) const
+    template <class P>
+    lanes::NumberOf<P> distance_like(const P& p) const
     {
-        const double rho = std::sqrt(p.x * p.x + p.z * p.z) - major;
+        const auto rho = lanes::root_of(p.x * p.x + p.z * p.z) - major;
         return rho * rho + (p.y - minor) * (p.y + minor);
     }
 
@@ -27,8 +29,16 @@ struct Torus {
     /// Parameters where the inner sheet of a spindle is crossed: drawn, but no end of a span.
     int inner_sheet(const Ray& ray, double (&out)[2]) const;
 
-    bool contains(const glm::dvec3& p) const { return distance_like(frame.inverse_point(p)) <= 0.0; }
-    bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
+    template <class P>
+    lanes::TruthOf<P> contains(const P& p) const
+    {
+        return distance_like(lanes::into(frame, p)) <= 0.0;
+    }
+    template <class P>
+    lanes::TruthOf<P> contains_inverted(const P& p) const
+    {
+        return !contains(p);
+    }
     glm::dvec3 normal(const glm::dvec3& p, std::uint32_t) const
     {
         const glm::dvec3 l = frame.inverse_point(p);

@@ -6,17 +6,17 @@
 namespace plan {
 namespace {
 
-struct ProbedObject final : texture::InsideTest {
-    ProbedObject(const scene::Object& object, const scene::GlobalSettings& global) : probe(object, global) {}
-    bool holds(const glm::dvec3& p) const override { return probe.inside(p); }
-    ObjectProbe probe;
-};
-
 std::shared_ptr<const void> kept(std::monostate) { return nullptr; }
 template <class Data>
 std::shared_ptr<const void> kept(const std::shared_ptr<const Data>& data)
 {
     return data;
+}
+
+/// It keeps the object alive.
+std::shared_ptr<const csg::InsideIndex> inside_of(const std::shared_ptr<const ObjectProbe>& object)
+{
+    return {object, &object->inside_index()};
 }
 
 std::uint32_t length_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
@@ -37,7 +37,7 @@ std::uint32_t TextureCompiler::pattern_data(const scene::Pattern& description, t
     if (const auto* image = std::get_if<std::shared_ptr<const scene::ImageMap>>(&description.data))
         out_.images.push_back(compile_image(scene_, **image, description.name == "image_map"));
     else if (const auto* object = std::get_if<std::shared_ptr<const scene::Object>>(&description.data))
-        out_.objects.push_back(std::make_shared<ProbedObject>(**object, scene_.global));
+        out_.objects.push_back(inside_of(std::make_shared<ObjectProbe>(**object, scene_.global)));
     else out_.volumes.push_back(std::get<std::shared_ptr<const scene::DensityFile>>(description.data)->volume);
     return known->second;
 }

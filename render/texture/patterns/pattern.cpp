@@ -1,3 +1,4 @@
+#include "csg/world/inside_index.h"
 #include "numbers/functions/functions.h"
 #include "numbers/remainder.h"
 #include "render/texture/points/angle.h"

@@ -1,3 +1,4 @@
+#include "csg/world/inside_index.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/function_host.h"
@@ -167,6 +168,13 @@ void function_values(const TextureSet& set, const Pattern& pattern, const Points
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = wrapped_value(out[i]);
 }
 
+/// Whether an object holds them.
+void object_values(const csg::InsideIndex& object, const Points& p, Values& out)
+{
+    const std::uint64_t held = object.holds(p.x.data(), p.y.data(), p.z.data(), p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(held >> i & 1);
+}
+
 /// Where a map of colours shows its first or its last one.
 FlatEnds flat_ends(const float* keys, const scene::Color* colors, std::uint32_t entries)
 {
@@ -225,6 +233,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Brick: return brick_values(pattern, p, out);
     case PatternKind::Gradient: return gradient_values(pattern, p, out);
     case PatternKind::Onion: return onion_values(p, out);
+    case PatternKind::Object: return object_values(*set.objects[pattern.data], p, out);
     case PatternKind::Function: return function_values(set, pattern, p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
     case PatternKind::Leopard: return leopard_values(p, out);

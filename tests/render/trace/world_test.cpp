@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 using random_world::Rng;
@@ -128,11 +129,24 @@ TEST_CASE("what holds a point is found by the hierarchy as by a loop over all it
         random_world::fill(data, rng, 1 + static_cast<int>(rng.below(150)));
         const csg::InsideIndex index(data);
         std::vector<std::uint32_t> holders;
-        for (int i = 0; i < 500; ++i) {
-            const glm::dvec3 point = rng.point(rng.below(8) == 0 ? 300.0 : 12.0);
-            csg::World(data).containing(point, holders);
-            REQUIRE(index.holds(point) == !holders.empty());
-            ++(holders.empty() ? outside : inside);
+        for (int i = 0; i < 9; ++i) {
+            alignas(64) std::array<double, 64> x, y, z;
+            const std::size_t count = i % 3 != 0 ? 64 : 1 + rng.below(64);
+            const double apart = i % 2 != 0 ? 12.0 : 0.5;
+            const glm::dvec3 middle = rng.point(12.0);
+            for (std::size_t k = 0; k < 64; ++k) {
+                const glm::dvec3 point = rng.below(8) == 0 ? rng.point(300.0) : middle + rng.point(apart);
+                x[k] = point.x, y[k] = point.y, z[k] = point.z;
+            }
+            const std::uint64_t together = index.holds(x.data(), y.data(), z.data(), count);
+            for (std::size_t k = 0; k < 64; ++k) {
+                INFO("points " << i << ", point " << k);
+                const glm::dvec3 point(x[k], y[k], z[k]);
+                csg::World(data).containing(point, holders);
+                REQUIRE(index.holds(point) == !holders.empty());
+                REQUIRE((together >> k & 1) == (k < count && !holders.empty() ? 1 : 0));
+                ++(holders.empty() ? outside : inside);
+            }
         }
     }
     CHECK(inside > 1000);
