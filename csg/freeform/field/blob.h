@@ -131,7 +131,7 @@ private:
     void each_near(const glm::dvec3& p, F&& f) const;
 
     static constexpr std::size_t kMostLoose = 12;  ///< more components go through a hierarchy
-    static constexpr std::size_t kMostNear = 48;   ///< of that, what rays in lanes have room for
+    static constexpr std::size_t kMostNear = 96;   ///< of that, what rays in lanes have room for
     /// Of a strength: what sums of fields and the places where they cross the threshold are off by, and far more.
     static constexpr double kRounding = 1e-13;
 

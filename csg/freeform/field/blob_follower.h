@@ -16,7 +16,8 @@ public:
         // Most rays that meet fields stay below the threshold, and those that leave a surface have its better part
         // behind.
         if (threshold_ >= 0.0 && walk_.most_of_all() < threshold_) return;
-        walk_.sort_ends();
+        walk_.sort_ends(from_);
+        stride_ = walk_.end_count / 2;
         inside_ = below();
         more_ = !inside_ || out_->enter(-kInfinity, kUndrawnFace);
     }
@@ -30,7 +31,7 @@ public:
             const double b = at_ < walk_.end_count ? walk_.ends[at_].t : a;
             if (!(a < b) || b < from_) continue;
             if (a > to_) break;
-            if (!inside_ && walk_.most() < threshold_) continue;
+            if (inside_ ? stays_inside(a) : walk_.most() < threshold_) continue;
             // Of the nearest end alone, what lies before the range need not be found.
             const bool cut = out_->first_only && a < from_;
             if (cut) a = from_;
@@ -64,6 +65,20 @@ public:
 private:
     bool below() const { return 0.0 > threshold_; }
 
+    /// Whether the ray surely is inside from `a` to the next end; passes ends for which the same is known.
+    bool stays_inside(double a)
+    {
+        if (!walk_.only_adds) return false;
+        for (;; stride_ /= 2) {
+            const std::size_t last = std::min(at_ + stride_, walk_.end_count - 1);
+            if (walk_.least(a, walk_.ends[last].t) > threshold_) {
+                while (at_ < last) walk_.pass(walk_.ends[at_++]);
+                return true;
+            }
+            if (stride_ == 0) return false;
+        }
+    }
+
     bool cross(double t)
     {
         inside_ = !inside_;
@@ -83,7 +98,8 @@ private:
     double threshold_, start_, from_, to_;
     double low_, high_;  ///< where the sum is that has to be looked at
     Quartic sum_;
-    std::size_t at_ = 0;  ///< of the ends, the next
+    std::size_t at_ = 0;      ///< of the ends, the next
+    std::size_t stride_ = 0;  ///< so many ends further on it may still be inside
     bool inside_ = false;
     bool more_ = false;  ///< ends are still wanted
 };

@@ -4,6 +4,8 @@
 #include "csg/freeform/field/blob.h"
 #include "csg/freeform/shared/bernstein.h"
 
+#include <algorithm>
+
 /// What a ray, or a ray a lane, has in the reach of a blob's components, and what one needs to follow it.
 
 namespace csg {
@@ -102,33 +104,51 @@ struct Blob::Walk {
     End* ends;
     std::uint32_t* active;
     std::size_t stretch_count = 0, end_count = 0, active_count = 0;
+    bool only_adds = true;  ///< no field takes away
 
-    void sort_ends()
+    /// Those from `from` on, behind the last one before it; what began earlier is active.
+    void sort_ends(double from)
     {
-        end_count = 2 * stretch_count;
+        const std::uint32_t none = static_cast<std::uint32_t>(stretch_count);
+        std::uint32_t last = none;
+        for (std::uint32_t i = 0; i < none; ++i) {
+            const Stretch& of = stretches[i];
+            only_adds = only_adds && of.strength > 0.0;
+            if (!(of.enter < from)) {
+                ends[end_count++] = {of.enter, i, false};
+            } else {
+                const bool later = last == none || stretches[last].enter < of.enter;
+                if (last != none) begin(later ? last : i);
+                if (later) last = i;
+            }
+            ends[end_count++] = {of.leave, i, true};
+        }
+        if (last != none) ends[end_count++] = {stretches[last].enter, last, false};
         const auto before = [](const End& a, const End& b) { return a.t < b.t; };
-        const bool many = end_count > 32;
-        for (std::uint32_t i = 0; i < end_count; ++i) {
-            const Stretch& of = stretches[i / 2];
-            const End end{i % 2 == 0 ? of.enter : of.leave, i / 2, i % 2 != 0};
+        if (end_count > 32) return std::sort(ends, ends + end_count, before);
+        for (std::size_t i = 1; i < end_count; ++i) {
+            const End end = ends[i];
             std::size_t k = i;
-            for (; !many && k > 0 && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
+            for (; k > 0 && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
             ends[k] = end;
         }
-        if (many) std::sort(ends, ends + end_count, before);
+    }
+
+    /// In the order of their numbers: sums are the same wherever the ray began.
+    void begin(std::uint32_t stretch)
+    {
+        std::size_t k = active_count++;
+        for (; k > 0 && active[k - 1] > stretch; --k) active[k] = active[k - 1];
+        active[k] = stretch;
     }
 
     void pass(const End& end)
     {
-        if (!end.leaves) {
-            active[active_count++] = end.stretch;
-            return;
-        }
-        for (std::size_t i = 0; i < active_count; ++i) {
-            if (active[i] != end.stretch) continue;
-            active[i] = active[--active_count];
-            return;
-        }
+        if (!end.leaves) return begin(end.stretch);
+        std::size_t k = 0;
+        while (k < active_count && active[k] != end.stretch) ++k;
+        if (k == active_count) return;
+        for (--active_count; k < active_count; ++k) active[k] = active[k + 1];
     }
 
     /// No sum of fields in the range asked for is above this.
@@ -144,6 +164,19 @@ struct Blob::Walk {
     {
         double sum = 0.0;
         for (std::size_t k = 0; k < active_count; ++k) sum += stretches[active[k]].most;
+        return sum;
+    }
+
+    /// Where fields only add, nor below this between two places: one that reaches over both is least at one of them.
+    double least(double a, double b) const
+    {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < active_count; ++k) {
+            const Stretch& s = stretches[active[k]];
+            if (s.leave < b) continue;
+            const double w = std::min(s.w(a), s.w(b));
+            sum += s.strength * (w * w - kRounding);
+        }
         return sum;
     }
 
