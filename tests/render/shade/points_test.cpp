@@ -15,10 +15,11 @@ namespace {
 Pattern random_pattern(Rng& rng, TextureSet& set)
 {
     using K = PatternKind;
-    constexpr std::array kKinds{K::Bozo,   K::Dents,       K::Granite, K::Wrinkles,       K::Agate,   K::Marble,
-                                K::Wood,   K::Crackle,     K::Crackle, K::Mandel,         K::Julia,   K::Gradient,
-                                K::Planar, K::Cylindrical, K::Checker, K::Leopard,        K::Spiral1, K::Cells,
-                                K::Square, K::Brick,       K::Onion,   K::PigmentPattern, K::Ripples, K::Waves};
+    constexpr std::array kKinds{K::Bozo,         K::Dents,       K::Granite, K::Wrinkles,       K::Agate,   K::Marble,
+                                K::Wood,         K::Crackle,     K::Crackle, K::Mandel,         K::Julia,   K::Gradient,
+                                K::Planar,       K::Cylindrical, K::Checker, K::Leopard,        K::Spiral1, K::Cells,
+                                K::Square,       K::Brick,       K::Onion,   K::PigmentPattern, K::Ripples, K::Waves,
+                                K::MagnetMandel, K::MagnetJulia};
     constexpr std::array kMetrics{2.0, 2.0, 1.0, 3.0, 1.5, 0.7, 130.0};
     Pattern p;
     p.kind = kKinds[static_cast<std::size_t>(rng.below(kKinds.size()))];
@@ -48,9 +49,9 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     if (p.kind == K::Crackle)
         p.numbers = {kMetrics[static_cast<std::size_t>(rng.below(kMetrics.size()))], rng.flip() ? 0.0 : 0.3,
                      rng.below(4) == 0 ? 1.0 : 0.0};
-    else if (p.kind == K::Mandel || p.kind == K::Julia)
-        p.numbers = {1.0 + rng.below(40),   2.0 + rng.below(3),   double(rng.below(9)),
-                     rng.uniform(0.5, 3.0), double(rng.below(7)), rng.uniform(-1.0, 1.0)};
+    else if (p.kind == K::Mandel || p.kind == K::Julia || p.kind == K::MagnetMandel || p.kind == K::MagnetJulia)
+        p.numbers = {1.0 + rng.below(40),  2.0 + rng.below(3),     double(rng.below(9)), rng.uniform(0.5, 3.0),
+                     double(rng.below(7)), rng.uniform(-1.0, 1.0), 1.0 + rng.below(2)};
     else p.numbers = {rng.uniform(0.0, 2.0)};
     p.first_warp = static_cast<std::uint32_t>(set.warps.size());
     p.warp_count = static_cast<std::uint32_t>(rng.below(3));
