@@ -6,6 +6,7 @@
 #include "parser/grammar/core/values.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -145,40 +146,36 @@ struct table {
     /// Whether the keyword of an item is next.
     static bool begins(SceneBuilder& build)
     {
-        constexpr auto known = keywords();
-        return known[static_cast<std::size_t>(build.stream().peek().kind)];
+        return kPlaces[static_cast<std::size_t>(build.stream().peek().kind)] != 0;
     }
     /// Reads one item if its keyword is next.
     static bool match(SceneBuilder& build, State& state)
     {
-        static constexpr auto readers = make();
-        const Reader reader = readers[static_cast<std::size_t>(build.stream().peek().kind)];
-        if (!reader) return false;
+        static constexpr std::array<Reader, sizeof...(Items)> readers{&read<Items>...};
+        const std::size_t place = kPlaces[static_cast<std::size_t>(build.stream().peek().kind)];
+        if (place == 0) return false;
         TokenInput input(build.stream());
-        return reader(input, state);
+        return readers[place - 1](input, state);
     }
     /// The keywords of all items, for messages.
     static std::vector<Kind> words() { return {Items::keyword...}; }
     static Form form() { return Form::choice({form_of<Items>()...}); }
 
 private:
-    static constexpr std::array<bool, kKindCount> keywords()
-    {
-        std::array<bool, kKindCount> all{};
-        ((all[static_cast<std::size_t>(Items::keyword)] = true), ...);
-        return all;
-    }
     template <class Item>
     static bool read(TokenInput& input, State& state)
     {
         return pegtl::parse<Item, action, control>(input, state);
     }
-    static constexpr std::array<Reader, kKindCount> make()
-    {
-        std::array<Reader, kKindCount> readers{};
-        ((readers[static_cast<std::size_t>(Items::keyword)] = &read<Items>), ...);
-        return readers;
-    }
+    /// Of each keyword: one more than its item's place. Bytes, for the loader would write an address for each of all
+    /// words.
+    static constexpr std::array<std::uint8_t, kKindCount> kPlaces = [] {
+        static_assert(sizeof...(Items) < 256);
+        std::array<std::uint8_t, kKindCount> all{};
+        std::uint8_t place = 0;
+        ((all[static_cast<std::size_t>(Items::keyword)] = ++place), ...);
+        return all;
+    }();
 };
 
 /// A leaf that says by itself what it takes.

@@ -26,7 +26,7 @@ int cell_hash(long long x, long long y, long long z);
 double pattern_random(int i);
 
 /// One step of the linear congruential generator behind the tables; kept as 32 bits.
-inline std::uint32_t next_lcg(std::uint32_t s) { return s * 1812433253u + 12345u; }
+constexpr std::uint32_t next_lcg(std::uint32_t s) { return s * 1812433253u + 12345u; }
 
 /// Source point and frequency i of `ripples` and `waves` (spec 4, 2.8); fills `count` of each.
 void wave_sources(int count, glm::dvec3* points, double* frequencies);

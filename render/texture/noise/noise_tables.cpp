@@ -1,80 +1,129 @@
 #include "render/texture/noise/noise_tables.h"
 
-#include "render/texture/noise/noise.h"
-
 #include <algorithm>
-#include <cmath>
-#include <random>
 #include <utility>
 
+// Each table is a constant by itself: a compiler counts the steps of one, and gives up after a million.
 namespace texture {
 namespace {
 
-constexpr std::array<double, NoiseTables::kLatticeNumbers> kLattice{
+using Tables = NoiseTables;
+
+constexpr std::array<double, Tables::kLatticeNumbers> kLattice{
 #include "render/texture/noise/noise_lattice.inc"
 };
 
+constexpr auto kHash = [] {
+    decltype(Tables::hash) hash{};
+    for (std::size_t i = 0; i < Tables::kHashSize; ++i) hash[i] = static_cast<std::uint16_t>(i);
+    std::uint32_t state = 0;
+    for (std::size_t i = Tables::kHashSize; i-- > 0;)
+        std::swap(hash[i], hash[static_cast<std::size_t>(draw15(state)) % Tables::kHashSize]);
+    hash[Tables::kHashSize] = hash[0];
+    return hash;
+}();
+
+constexpr auto kRow = [] {
+    decltype(Tables::row) row{};
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<std::uint8_t>(kHash[i] & 255u);
+    return row;
+}();
+
+constexpr auto kRows = [] {
+    decltype(Tables::lattice) lattice{};
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+        for (std::size_t k = 0; k < lattice[i].size(); ++k) lattice[i][k] = kLattice[i + k];
+    return lattice;
+}();
+
+constexpr auto kLines = [] {
+    decltype(Tables::singles) singles{};
+    for (std::size_t i = 0; i < singles.size(); ++i)
+        for (std::size_t k = 0; k < 12; ++k) singles[i][k] = static_cast<float>(kLattice[i + k]);
+    return singles;
+}();
+
+constexpr auto kSingleRow = [] {
+    decltype(Tables::single_row) places{};
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::uint16_t>(kRow[i] * kLines[0].size());
+    return places;
+}();
+
+/// The double nearest to the root of a whole number from 1 to 2^24, as std::sqrt() gives it when the program runs.
+constexpr double root_of(std::uint32_t whole)
+{
+    double guess = 1024.0;
+    for (double last = 0.0; guess != last && whole + guess != whole + last;) {
+        last = guess;
+        guess = 0.5 * (guess + whole / guess);
+    }
+    // With 53 bits: half a unit above and below enclose the root.
+    double unit = 1.0;
+    while (guess / unit < 4503599627370496.0) unit *= 0.5;
+    auto root = static_cast<std::uint64_t>(guess / unit);
+    __extension__ using Wide = unsigned __int128;
+    Wide square = whole;
+    for (double u = unit; u < 1.0; u *= 2.0) square *= 4;
+    while (static_cast<Wide>(root) * root + root < square) ++root;
+    while (static_cast<Wide>(root) * root - root >= square) --root;
+    return static_cast<double>(root) * unit;
+}
+
+struct Gradients {
+    decltype(Tables::gradient) gradient{};
+    std::uint32_t state = 1;
+};
+
+constexpr Gradients kGradients = [] {
+    Gradients all;
+    for (glm::dvec3& g : all.gradient) {
+        int x, y, z, q;  // in 2048ths
+        do {
+            x = draw15(all.state) % 4096 - 2048;
+            y = draw15(all.state) % 4096 - 2048;
+            z = draw15(all.state) % 4096 - 2048;
+            q = x * x + y * y + z * z;
+        } while (q < 42 || q > 2048 * 2048);  // 1e-5 and 1
+        const double length = root_of(static_cast<std::uint32_t>(q));
+        g = glm::dvec3(x / length, y / length, z / length);
+    }
+    return all;
+}();
+
+constexpr auto kPermutation = [] {
+    decltype(Tables::permutation) permutation{};
+    for (std::size_t i = 0; i < Tables::kGradients; ++i) permutation[i] = static_cast<int>(i);
+    // Only even places are visited and the first swaps in the extra 0: measured, not tidied.
+    std::uint32_t state = kGradients.state;
+    for (std::size_t i = Tables::kGradients; i >= 2; i -= 2)
+        std::swap(permutation[i], permutation[static_cast<std::size_t>(draw15(state)) % Tables::kGradients]);
+    return permutation;
+}();
+
+/// The Mersenne twister's first numbers (Matsumoto and Nishimura 1998; std::mt19937 with its own seed, which is no
+/// constant).
+constexpr auto kRandom = [] {
+    constexpr std::size_t kState = 624, kShift = 397;
+    std::array<std::uint32_t, kState> state{5489u};
+    for (std::size_t i = 1; i < kState; ++i)
+        state[i] = 1812433253u * (state[i - 1] ^ state[i - 1] >> 30) + static_cast<std::uint32_t>(i);
+    decltype(Tables::random) random{};
+    std::size_t at = 0;
+    for (double& r : random) {
+        const std::uint32_t joined = (state[at] & 0x80000000u) | (state[(at + 1) % kState] & 0x7fffffffu);
+        std::uint32_t y = state[at] = state[(at + kShift) % kState] ^ joined >> 1 ^ (joined & 1u) * 0x9908b0dfu;
+        at = (at + 1) % kState;
+        y ^= y >> 11;
+        y ^= y << 7 & 0x9d2c5680u;
+        y ^= y << 15 & 0xefc60000u;
+        y ^= y >> 18;
+        r = y / 4294967296.0;
+    }
+    return random;
+}();
+
 }  // namespace
 
-int draw15(std::uint32_t& state)
-{
-    state = next_lcg(state);
-    return static_cast<int>((state >> 16) & 0x7FFFu);
-}
-
-NoiseTables::NoiseTables()
-{
-    fill_hash();
-    fill_lattice();
-    fill_gradients();
-    std::mt19937 generator(5489u);
-    for (double& r : random) r = static_cast<double>(generator()) / 4294967296.0;
-}
-
-void NoiseTables::fill_hash()
-{
-    for (std::size_t i = 0; i < kHashSize; ++i) hash[i] = static_cast<std::uint16_t>(i);
-    std::uint32_t state = 0;
-    for (std::size_t i = kHashSize - 1;; --i) {
-        const auto j = static_cast<std::size_t>(draw15(state)) % kHashSize;
-        std::swap(hash[i], hash[j]);
-        if (i == 0) break;
-    }
-    hash[kHashSize] = hash[0];
-    for (std::size_t i = 0; i < kHashSize; ++i) row[i] = static_cast<std::uint8_t>(hash[i] & 255u);
-}
-
-void NoiseTables::fill_lattice()
-{
-    for (std::size_t i = 0; i < kLatticeRows; ++i)
-        std::copy_n(kLattice.begin() + i, lattice[i].size(), lattice[i].begin());
-    for (std::size_t i = 0; i < singles.size(); ++i) {
-        singles[i].fill(0.0f);
-        for (std::size_t k = 0; k < 12; ++k) singles[i][k] = static_cast<float>(kLattice[i + k]);
-    }
-    for (std::size_t i = 0; i < kHashSize; ++i) single_row[i] = static_cast<std::uint16_t>(row[i] * singles[0].size());
-}
-
-void NoiseTables::fill_gradients()
-{
-    std::uint32_t state = 1;
-    for (glm::dvec3& g : gradient) {
-        double q;
-        do {
-            for (int k = 0; k < 3; ++k) g[k] = static_cast<double>((draw15(state) % 4096) - 2048) / 2048.0;
-            q = glm::dot(g, g);
-        } while (q < 1e-5 || q > 1.0);
-        g /= std::sqrt(q);
-    }
-    for (std::size_t i = 0; i < kGradients; ++i) permutation[i] = static_cast<int>(i);
-    permutation[kGradients] = 0;
-    // Only even places are visited and the first swaps in the extra 0: measured, not tidied.
-    for (std::size_t i = kGradients; i >= 2; i -= 2) {
-        const auto j = static_cast<std::size_t>(draw15(state)) % kGradients;
-        std::swap(permutation[i], permutation[j]);
-    }
-}
-
-const NoiseTables kNoiseTables;
+constexpr NoiseTables kNoiseTables{kHash, kRow, kRows, kLines, kSingleRow, kGradients.gradient, kPermutation, kRandom};
 
 }  // namespace texture

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "render/texture/noise/noise.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
 
-/// The tables behind the noise functions (spec 4, section 2), filled once when the program or module starts.
+/// The tables behind the noise functions (spec 4, section 2). The compiler fills them: a run that needs none loads
+/// none.
 namespace texture {
 
 struct NoiseTables {
@@ -24,18 +27,15 @@ struct NoiseTables {
     std::array<glm::dvec3, kGradients> gradient;
     std::array<int, kGradients + 1> permutation;
     std::array<double, kRandoms> random;  ///< in [0, 1)
-
-    NoiseTables();
-
-private:
-    void fill_hash();
-    void fill_lattice();
-    void fill_gradients();
 };
 
 extern const NoiseTables kNoiseTables;
 
 /// One step of the linear congruential generator behind the tables; 15 bits of its state.
-int draw15(std::uint32_t& state);
+constexpr int draw15(std::uint32_t& state)
+{
+    state = next_lcg(state);
+    return static_cast<int>((state >> 16) & 0x7FFFu);
+}
 
 }  // namespace texture
