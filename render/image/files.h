@@ -50,7 +50,7 @@ struct Channels {
     std::vector<std::pair<std::string, std::string>> attributes;
 };
 
-/// Reads and writes picture files. PNG is the work of libpng itself, PPM is written by hand, direct_readers.h says what
+/// Reads and writes picture files. PNG and PPM are written by hand, direct_readers.h says what
 /// is read without OpenImageIO; all else waits for that library, which takes some 0.2 s to load: prepare() early. The
 /// destructor does not wait for it. Copies share it.
 class Files {

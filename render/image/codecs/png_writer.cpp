@@ -2,13 +2,12 @@
 
 #include "render/image/pixels/picture.h"
 
-#include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -18,148 +17,193 @@ namespace image {
 
 namespace {
 
-using Failure = std::array<char, 200>;  // no std::string: longjmp passes by its owner
+using Bytes = std::vector<std::uint8_t>;
 
-void keep_message(png_structp png, png_const_charp message)
+std::array<std::uint8_t, 4> big_endian(std::uint32_t value)
 {
-    auto* failure = static_cast<Failure*>(png_get_error_ptr(png));
-    std::snprintf(failure->data(), failure->size(), "%s", message);
-    png_longjmp(png, 1);
+    return {static_cast<std::uint8_t>(value >> 24), static_cast<std::uint8_t>(value >> 16),
+            static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
 }
 
-void ignore_warning(png_structp, png_const_charp) {}
+// In bytes throughout, of which a register holds 16.
+using Byte = std::uint8_t;
 
-/// What stands before the samples.
-struct PngHeader {
-    png_uint_32 width, height;
-    int bits, color_type;
-    png_byte significant_bits;
-    bool srgb;
-    double gamma;
-    const char* software;
-};
+Byte between(Byte a, Byte b) { return static_cast<Byte>(std::max(a, b) - std::min(a, b)); }
 
-/// Chunks are put one by one: their order is not the same in each version of libpng.
-void write_header(png_structp png, png_infop info, const PngHeader& header)
+/// The nearest of left, above and above left to left + above - above left, in this order (PNG specification 9.4).
+Byte paeth(Byte a, Byte b, Byte c)
 {
-    png_set_IHDR(png, info, header.width, header.height, header.bits, header.color_type, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(png, info);
-    const auto put = [&](const char* name, const png_byte* data, std::size_t size) {
-        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), data, size);
-    };
-    std::array<png_byte, 4> gamma{};
-    png_save_uint_32(gamma.data(), static_cast<png_uint_32>(std::floor(100000.0 / header.gamma + 0.5)));
-    put("gAMA", gamma.data(), gamma.size());
-    const png_byte intent = PNG_sRGB_INTENT_PERCEPTUAL;
-    if (header.srgb) put("sRGB", &intent, 1);
-    std::array<png_byte, 4> significant{};
-    significant.fill(header.significant_bits);
-    put("sBIT", significant.data(), png_get_channels(png, info));
-    constexpr std::size_t kLongest = 79;  // of text: our own name and version
-    std::array<png_byte, 9 + kLongest> text{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
-    const std::size_t length = std::min(std::strlen(header.software), kLongest);
-    std::memcpy(text.data() + 9, header.software, length);
-    put("tEXt", text.data(), 9 + length);
+    const Byte to_a = between(b, c), to_b = between(a, c);
+    // Both differences of one sign add up to more than each.
+    const Byte to_c = (b < c) == (a < c) ? Byte{255} : between(to_a, to_b);
+    const Byte nearer = to_b <= to_c ? b : c;
+    return ((to_a <= to_b) & (to_a <= to_c)) != 0 ? a : nearer;
+}
+
+/// A row less what is predicted from the bytes to the left, above and above left. Before each row lie zeros.
+/// \returns the sum of what is left, taken as numbers of either sign: small where it packs well (12.8 there)
+template <class Predict>
+std::uint32_t filter(const Byte* row, const Byte* above, std::size_t size, std::size_t step, Byte* out, Predict predict)
+{
+    for (std::size_t i = 0; i < size; ++i)
+        out[i] = static_cast<Byte>(row[i] - predict(row[i - step], above[i], above[i - step]));
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < size; ++i) sum += std::min(out[i], static_cast<Byte>(-out[i]));
+    return sum;
 }
 
 }  // namespace
 
-/// libpng's two structures and the file, released together.
 struct PngWriter::Encoder {
-    Encoder() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, keep_message, ignore_warning))
+    Encoder(const std::string& path, const FileShape& shape, int effort)
+        : file(std::fopen(path.c_str(), "wb"), std::fclose), bits(shape.bits)
     {
-        if (png) info = png_create_info_struct(png);
-        if (!info) throw FileError("not enough memory for PNG");
+        if (!file) throw FileError(std::strerror(errno));
+        if (shape.width < 1 || shape.height < 1) throw FileError("PNG takes no picture without pixels");
+        if (deflateInit2(&zip, effort, Z_DEFLATED, MAX_WBITS, 8, Z_FILTERED) != Z_OK)
+            throw FileError("not enough memory for PNG");
+        step = static_cast<std::size_t>(shape.channels) * (bits <= 8 ? 1 : 2);
+        size = static_cast<std::size_t>(shape.width) * step;
+        row.resize(step + size);
+        above.resize(step + size);
+        best.resize(1 + size);
+        tried.resize(1 + size);
+        begin_chunk_data();
     }
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
-    ~Encoder() { png_destroy_write_struct(&png, &info); }
+    ~Encoder() { deflateEnd(&zip); }
 
-    // False if libpng failed: it leaves by longjmp, so nothing with a destructor may be made in these three.
-    bool begin(const PngHeader& header, int effort)
+    void write(const void* data, std::size_t count)
     {
-        if (setjmp(png_jmpbuf(png))) return false;
-        png_init_io(png, file.get());
-        png_set_compression_level(png, effort);
-        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_NO_FILTERS);
-        write_header(png, info, header);
-        return true;
+        if (std::fwrite(data, 1, count, file.get()) != count) throw FileError(std::strerror(errno));
     }
-    bool put()
+    void chunk(const char* name, const std::uint8_t* data, std::size_t count)
     {
-        if (setjmp(png_jmpbuf(png))) return false;
-        png_write_row(png, row.data());
-        return true;
+        const auto* letters = reinterpret_cast<const std::uint8_t*>(name);
+        uLong sum = crc32(0, letters, 4);
+        if (count > 0) sum = crc32(sum, data, static_cast<uInt>(count));  // of no data zlib would begin anew
+        write(big_endian(static_cast<std::uint32_t>(count)).data(), 4);
+        write(name, 4);
+        write(data, count);
+        write(big_endian(static_cast<std::uint32_t>(sum)).data(), 4);
     }
-    bool end()
+    template <std::size_t N>
+    void chunk(const char* name, const std::array<std::uint8_t, N>& data)
     {
-        if (setjmp(png_jmpbuf(png))) return false;
-        png_write_end(png, info);
-        return true;
-    }
-    void check(bool done) const
-    {
-        if (!done) throw FileError(failure.data());
+        chunk(name, data.data(), N);
     }
 
-    Failure failure{};
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{nullptr, std::fclose};
-    png_structp png = nullptr;
-    png_infop info = nullptr;
-    int bits = 8;
-    std::vector<png_byte> row;  ///< as PNG stores it: one byte a sample, or two with the high one first
+    /// The entries before the samples.
+    void begin(const FileShape& shape)
+    {
+        write("\x89PNG\r\n\x1a\n", 8);
+        const auto width = big_endian(static_cast<std::uint32_t>(shape.width));
+        const auto height = big_endian(static_cast<std::uint32_t>(shape.height));
+        constexpr std::array<std::uint8_t, 4> kColorTypes{0, 4, 2, 6};  // grey, with alpha, colours, with alpha
+        std::array<std::uint8_t, 13> header{};
+        std::copy(width.begin(), width.end(), header.begin());
+        std::copy(height.begin(), height.end(), header.begin() + 4);
+        header[8] = bits <= 8 ? 8 : 16;
+        header[9] = kColorTypes.at(static_cast<std::size_t>(shape.channels - 1));
+        chunk("IHDR", header);
+        const auto gamma = static_cast<double>(shape.curve.approximate_gamma());
+        chunk("gAMA", big_endian(static_cast<std::uint32_t>(std::floor(100000.0 / gamma + 0.5))));
+        constexpr std::array<std::uint8_t, 1> kPerceptual{0};
+        if (shape.curve.kind == TransferCurve::Kind::Srgb) chunk("sRGB", kPerceptual);
+        std::array<std::uint8_t, 4> significant{};
+        significant.fill(static_cast<std::uint8_t>(bits));
+        chunk("sBIT", significant.data(), static_cast<std::size_t>(shape.channels));
+        const std::string text = "Software" + std::string(1, '\0') + shape.software;
+        chunk("tEXt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    }
+
+    void try_filter(std::uint8_t number, std::uint32_t& least, auto predict)
+    {
+        const std::uint32_t sum = filter(row.data() + step, above.data() + step, size, step, tried.data() + 1, predict);
+        if (number > 0 && sum >= least) return;
+        least = sum;
+        tried[0] = number;
+        best.swap(tried);
+    }
+    /// The five filters of a row are tried, as the specification counsels.
+    void put()
+    {
+        std::uint32_t least = 0;
+        try_filter(0, least, [](Byte, Byte, Byte) { return Byte{0}; });
+        try_filter(1, least, [](Byte a, Byte, Byte) { return a; });
+        try_filter(2, least, [](Byte, Byte b, Byte) { return b; });
+        try_filter(3, least, [](Byte a, Byte b, Byte) { return static_cast<Byte>((a + b) / 2); });
+        try_filter(4, least, paeth);
+        row.swap(above);
+        zip.next_in = best.data();
+        zip.avail_in = static_cast<uInt>(best.size());
+        while (zip.avail_in > 0) {
+            if (deflate(&zip, Z_NO_FLUSH) != Z_OK) throw FileError("zlib failed");
+            if (zip.avail_out == 0) end_chunk_data();
+        }
+    }
+    void end()
+    {
+        for (int state = Z_OK; state != Z_STREAM_END;) {
+            state = deflate(&zip, Z_FINISH);
+            if (state != Z_OK && state != Z_STREAM_END) throw FileError("zlib failed");
+            end_chunk_data();
+        }
+        chunk("IEND", nullptr, 0);
+        if (std::fclose(file.release()) != 0) throw FileError(std::strerror(errno));  // a full disk may show only now
+    }
+
+    void begin_chunk_data()
+    {
+        zip.next_out = packed.data();
+        zip.avail_out = static_cast<uInt>(packed.size());
+    }
+    void end_chunk_data()
+    {
+        if (zip.avail_out < packed.size()) chunk("IDAT", packed.data(), packed.size() - zip.avail_out);
+        begin_chunk_data();
+    }
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
+    z_stream zip{};
+    int bits;
+    std::size_t step, size;  ///< bytes of a pixel and of a row
+    Bytes row,
+        above;  ///< as PNG stores them: one byte a sample, or two with the high one first; zeros of a pixel before
+    Bytes best, tried;  ///< filtered, behind the filter's number
+    std::array<std::uint8_t, 8192> packed;
 };
 
 PngWriter::PngWriter(const std::string& path, const FileShape& shape, PngEffort effort)
-    : encoder_(std::make_unique<Encoder>())
+    : encoder_(std::make_unique<Encoder>(path, shape, static_cast<int>(effort)))
 {
-    constexpr std::array kColorTypes{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
-                                     PNG_COLOR_TYPE_RGB_ALPHA};
-    const bool eight_bits = shape.bits <= 8;
-    const PngHeader header{static_cast<png_uint_32>(shape.width),
-                           static_cast<png_uint_32>(shape.height),
-                           eight_bits ? 8 : 16,
-                           kColorTypes.at(static_cast<std::size_t>(shape.channels - 1)),
-                           static_cast<png_byte>(shape.bits),
-                           shape.curve.kind == TransferCurve::Kind::Srgb,
-                           static_cast<double>(shape.curve.approximate_gamma()),
-                           shape.software};
-    encoder_->bits = shape.bits;
-    encoder_->row.resize(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels) *
-                         (eight_bits ? 1 : 2));
-    encoder_->file.reset(std::fopen(path.c_str(), "wb"));
-    if (!encoder_->file) throw FileError(std::strerror(errno));
-    encoder_->check(encoder_->begin(header, static_cast<int>(effort)));
+    encoder_->begin(shape);
 }
 
 PngWriter::~PngWriter() = default;
 
 void PngWriter::put(const std::uint16_t* samples)
 {
-    std::vector<png_byte>& row = encoder_->row;
+    std::uint8_t* const row = encoder_->row.data() + encoder_->step;
+    const std::size_t size = encoder_->size;
     if (encoder_->bits == 8) {
-        std::transform(samples, samples + row.size(), row.begin(),
-                       [](std::uint16_t sample) { return static_cast<png_byte>(sample); });
+        std::transform(samples, samples + size, row,
+                       [](std::uint16_t sample) { return static_cast<std::uint8_t>(sample); });
     } else if (encoder_->bits < 8) {
-        std::transform(samples, samples + row.size(), row.begin(), [this](std::uint16_t sample) {
-            return static_cast<png_byte>(widened(sample, encoder_->bits) >> 8);
+        std::transform(samples, samples + size, row, [this](std::uint16_t sample) {
+            return static_cast<std::uint8_t>(widened(sample, encoder_->bits) >> 8);
         });
     } else {
-        for (std::size_t i = 0; i < row.size(); i += 2) {
+        for (std::size_t i = 0; i < size; i += 2) {
             const std::uint16_t wide = widened(samples[i / 2], encoder_->bits);
-            row[i] = static_cast<png_byte>(wide >> 8);
-            row[i + 1] = static_cast<png_byte>(wide & 0xff);
+            row[i] = static_cast<std::uint8_t>(wide >> 8);
+            row[i + 1] = static_cast<std::uint8_t>(wide & 0xff);
         }
     }
-    encoder_->check(encoder_->put());
+    encoder_->put();
 }
 
-void PngWriter::finish()
-{
-    encoder_->check(encoder_->end());
-    if (std::fclose(encoder_->file.release()) != 0)
-        throw FileError(std::strerror(errno));  // a full disk may show only now
-}
+void PngWriter::finish() { encoder_->end(); }
 
 }  // namespace image
