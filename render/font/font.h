@@ -31,7 +31,6 @@ public:
 
 private:
     struct Opened;
-    std::unique_ptr<class Library> library_;
     std::map<std::pair<std::string, bool>, std::unique_ptr<Opened>> opened_;  ///< by path and `unicode`
     std::size_t outlines_ = 0;
 };

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <dlfcn.h>
-
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -61,12 +59,7 @@ const KernelTable& load_kernel(Isa isa)
     if (chosen > best())
         throw std::runtime_error(
             fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), best_isa()));
-    const auto path = image::find_module(module_name(chosen));
-    if (!path) throw std::runtime_error(image::missing_module(module_name(chosen)));
-    void* module = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (module == nullptr) throw std::runtime_error(fmt::format("cannot load the kernel: {}", dlerror()));
-    const auto entry = reinterpret_cast<KernelEntry>(dlsym(module, kKernelSymbol));
-    if (entry == nullptr) throw std::runtime_error(fmt::format("'{}' is no kernel module", path->string()));
+    const auto entry = reinterpret_cast<KernelEntry>(image::module_entry(module_name(chosen), kKernelSymbol));
     return *known.emplace(isa, entry()).first->second;
 }
 

@@ -5,11 +5,6 @@
 
 namespace csg {
 
-OutlinePiece OutlinePiece::quadratic(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2)
-{
-    return {{}, p0 - 2.0 * p1 + p2, 2.0 * (p1 - p0), p0, p0, p2};
-}
-
 OutlineShape::OutlineShape(std::vector<OutlinePiece> pieces) : pieces_(std::move(pieces))
 {
     if (pieces_.empty()) return;

@@ -18,7 +18,10 @@ struct OutlinePiece {
         return {{}, {}, to - from, from, from, to};
     }
     /// Bezier curves of degree 2 and 3.
-    static OutlinePiece quadratic(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2);
+    static OutlinePiece quadratic(const glm::dvec2& p0, const glm::dvec2& p1, const glm::dvec2& p2)
+    {
+        return {{}, p0 - 2.0 * p1 + p2, 2.0 * (p1 - p0), p0, p0, p2};
+    }
     bool straight() const { return a == glm::dvec2(0.0) && b == glm::dvec2(0.0); }
     glm::dvec2 at(double w) const { return w <= 0.0 ? start : w >= 1.0 ? end : ((a * w + b) * w + c) * w + d; }
     glm::dvec2 slope(double w) const { return (3.0 * a * w + 2.0 * b) * w + c; }

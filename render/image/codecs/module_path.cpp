@@ -1,5 +1,8 @@
 #include "render/image/codecs/module_path.h"
 
+#include "render/image/pixels/picture.h"
+
+#include <dlfcn.h>
 #include <sys/auxv.h>
 
 #include <array>
@@ -42,6 +45,17 @@ std::string missing_module(const std::string& name)
     return "the program is not complete: '" + name + "' is neither in '" + folders[0].string() + "' nor in '" +
            folders[1].string() +
            "'; a program that is copied needs the modules beside it, cmake --install puts all in place";
+}
+
+void* module_entry(const std::string& name, const char* entry)
+{
+    const std::optional<std::filesystem::path> module = find_module(name);
+    if (!module) throw FileError(missing_module(name));
+    void* const handle = dlopen(module->c_str(), RTLD_LAZY | RTLD_LOCAL);  // lazy: OpenImageIO in 0.20 s, not 0.215
+    if (handle == nullptr) throw FileError("cannot load '" + name + "': " + dlerror());
+    void* const found = dlsym(handle, entry);
+    if (found == nullptr) throw FileError("'" + module->string() + "' is not ours");
+    return found;
 }
 
 }  // namespace image

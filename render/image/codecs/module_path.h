@@ -13,4 +13,7 @@ std::optional<std::filesystem::path> find_module(const std::string& name);
 /// What to tell where there is none: its name, the folders that were looked into, and what to do.
 std::string missing_module(const std::string& name);
 
+/// A function of a module, by the name that it leaves it under. The module stays loaded. Throws FileError.
+void* module_entry(const std::string& name, const char* entry);
+
 }  // namespace image

@@ -7,8 +7,10 @@
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise_tables.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 
 namespace texture {
 namespace {
@@ -262,12 +264,12 @@ void CellPoints::complete()
 
 CellPoints& cell_points(const glm::dvec3& base_cell)
 {
-    constexpr std::size_t kKept = 32;  // four by four by two cells beside each other, 70 KB
-    static constinit thread_local std::array<CellPoints, kKept> kept;
+    constexpr std::size_t kKept = 32;  // four by four by two cells beside each other, 70 KB: not of every thread
+    thread_local const auto all = std::make_unique<std::array<CellPoints, kKept>>();
     const auto part = [&](int k, long long mask) {
         return static_cast<std::size_t>(static_cast<long long>(base_cell[k]) & mask);
     };
-    CellPoints& cells = kept[part(0, 3) | part(1, 3) << 2 | part(2, 1) << 4];
+    CellPoints& cells = (*all)[part(0, 3) | part(1, 3) << 2 | part(2, 1) << 4];
     if (!cells.are_of(base_cell)) cells.move_to(base_cell);
     return cells;
 }
