@@ -140,10 +140,48 @@ def arrays(n):
     return f"#declare A = array[{n}] {{" + ",".join(str(i) for i in range(n)) + "}\n" + f"#declare B = A; #declare B[1] = A[2]; sphere {{ B[1], 1 }}"
 
 
+def own_textures(n):
+    return joined(n, lambda i: f"sphere {{ <{i},0,0>, 0.4 texture {{ pigment {{ bozo color_map {{ [0 rgb 0] [1 rgb {i}/{n}] }} scale {i + 1} }} "
+                               f"normal {{ bumps 0.{i} }} finish {{ phong 0.{i} }} }} }}")
+
+
+def layers(n):
+    return "sphere { 0, 1" + joined(n, lambda i: f"texture {{ pigment {{ bozo color_map {{ [0 rgbt 1] [1 rgbt <{i}/{n},1,1,0.5>] }} scale {i + 1} }} }}") + "}"
+
+
+def texture_map(n):
+    return ("sphere { 0, 1 texture { gradient y texture_map {" +
+            joined(n, lambda i: f"[{i}/{n} pigment {{ bozo scale {i + 1} }} finish {{ phong {i}/{n} }}]") + "} } }")
+
+
+def nested_pigments(n):
+    return (joined(n, lambda i: f"#declare P{i} = pigment {{ bozo pigment_map {{ [0 {f'P{i - 1}' if i else 'rgb 0'}] [1 rgb {i}/{n}] }} }}") +
+            f"sphere {{ 0, 1 pigment {{ P{n - 1} }} }}")
+
+
+def placed(n):
+    return ("#declare U = union { sphere { 0, 0.3 pigment { bozo } } box { 0, 0.3 texture { pigment { granite } finish { phong 1 } } } }\n" +
+            joined(n, lambda i: f"object {{ U rotate y*{i} translate <{i},0,0> }}"))
+
+
+def placed_nests(n):
+    return ("#declare P = pigment { gradient x pigment_map {" + joined(64, lambda k: f"[{k}/64 bozo scale {k + 1}]") + "} }\n" +
+            joined(n, lambda i: f"sphere {{ 0, 0.4 pigment {{ P }} rotate y*{i} translate <{i},0,0> }}"))
+
+
+def media(n):
+    return "sphere { 0, 1 hollow pigment { rgbt 1 } interior {" + joined(n, lambda i: f"media {{ emission {i}/{n} density {{ bozo scale {i + 1} }} }}") + "} }"
+
+
+def interiors(n):
+    return joined(n, lambda i: f"sphere {{ <{i},0,0>, 0.4 hollow pigment {{ rgbt 1 }} interior {{ ior 1.{i} media {{ emission {i}/{n} density {{ bozo }} }} }} }}")
+
+
 KINDS = {  # how many make it dear enough to be counted
     blob: 2500, prism: 1000, lathe: 400, sor: 400, polygon: 1000, sphere_sweep: 400, operands: 1000, cut: 100, statements: 500, moved: 1200,
     shared: 300, copies: 1000, chain: 1000, groups: 60, color_map: 60, mesh2: 2000, triangles: 1000, textured_triangles: 300, spline: 1000,
-    asked_spline: 1000, texts: 60, names: 2000, includes: 60, lights: 60, clips: 60, arrays: 5000}
+    asked_spline: 1000, texts: 60, names: 2000, includes: 60, lights: 60, clips: 60, arrays: 5000,
+    own_textures: 300, layers: 300, texture_map: 60, nested_pigments: 300, placed: 800, placed_nests: 300, media: 100, interiors: 200}
 
 
 def instructions(whittle, text):

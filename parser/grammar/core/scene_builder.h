@@ -186,8 +186,8 @@ scene::TexturePtr read_texture(SceneBuilder& build);
 scene::TexturePtr read_texture_body(SceneBuilder& build);  ///< without braces
 /// texture { } texture { } ...: layers; the first keyword has been taken.
 scene::TexturePtr read_textures(SceneBuilder& build);
-/// `top` over `below` (may be null); fails at `at` where one of them is patterned.
-scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, const scene::TexturePtr& top,
+/// `top` over `below` (may be null; what only the caller had is changed); fails at `at` where one of them is patterned.
+scene::TexturePtr layered(SceneBuilder& build, scene::TexturePtr below, const scene::TexturePtr& top,
                           const scene::SourceRef& at);
 scene::Interior read_interior(SceneBuilder& build, const scene::Interior& base);
 /// `current`: what the object has already.

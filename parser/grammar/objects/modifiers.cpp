@@ -47,7 +47,7 @@ struct texture : item<Kind::Texture, reads<texture_block>> {
     static void act(ObjectState& s)
     {
         const scene::SourceRef at = s.stream().last();
-        s.take_texture(layered(s.build, s.object.texture, read_texture(s.build), at));
+        s.take_texture(layered(s.build, std::move(s.object.texture), read_texture(s.build), at));
     }
 };
 struct interior_texture : item<Kind::InteriorTexture, reads<texture_block>> {
@@ -55,7 +55,7 @@ struct interior_texture : item<Kind::InteriorTexture, reads<texture_block>> {
     {
         const scene::SourceRef at = s.stream().last();
         scene::TexturePtr& inner = s.object.details.edit().interior_texture;
-        inner = layered(s.build, inner, read_texture(s.build), at);
+        inner = layered(s.build, std::move(inner), read_texture(s.build), at);
     }
 };
 struct pigment : item<Kind::Pigment, reads<pigment_block>> {

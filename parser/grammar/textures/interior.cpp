@@ -42,9 +42,11 @@ struct MaterialState : BlockState {
     void take(const std::shared_ptr<const Material>& declared)
     {
         const scene::SourceRef opened = stream().last();
-        if (declared->texture) material.texture = layered(build, material.texture, declared->texture, opened);
+        if (declared->texture)
+            material.texture = layered(build, std::move(material.texture), declared->texture, opened);
         if (declared->interior_texture)
-            material.interior_texture = layered(build, material.interior_texture, declared->interior_texture, opened);
+            material.interior_texture =
+                layered(build, std::move(material.interior_texture), declared->interior_texture, opened);
         // A copy of its own: interiors are told apart by identity.
         material.interior = declared->interior ? std::make_shared<scene::Interior>(*declared->interior) : nullptr;
     }
@@ -61,14 +63,15 @@ struct texture : item<Kind::Texture, reads<texture_block>> {
     static void act(MaterialState& s)
     {
         const scene::SourceRef at = s.stream().last();
-        s.material.texture = layered(s.build, s.material.texture, read_texture(s.build), at);
+        s.material.texture = layered(s.build, std::move(s.material.texture), read_texture(s.build), at);
     }
 };
 struct interior_texture : item<Kind::InteriorTexture, reads<texture_block>> {
     static void act(MaterialState& s)
     {
         const scene::SourceRef at = s.stream().last();
-        s.material.interior_texture = layered(s.build, s.material.interior_texture, read_texture(s.build), at);
+        s.material.interior_texture =
+            layered(s.build, std::move(s.material.interior_texture), read_texture(s.build), at);
     }
 };
 struct interior : item<Kind::Interior, reads<interior_block>> {

@@ -242,7 +242,7 @@ scene::TexturePtr read_textures(SceneBuilder& build)
     while (build.stream().peek_raw().kind == Kind::Texture) {
         build.stream().next();
         const scene::SourceRef at = build.stream().last();
-        all = layered(build, all, read_texture(build), at);
+        all = layered(build, std::move(all), read_texture(build), at);
     }
     return all;
 }
@@ -274,7 +274,7 @@ constexpr int kLastOldLayers = 310;
 
 }  // namespace
 
-scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, const scene::TexturePtr& top,
+scene::TexturePtr layered(SceneBuilder& build, scene::TexturePtr below, const scene::TexturePtr& top,
                           const scene::SourceRef& at)
 {
     if (!below) return top;
@@ -282,7 +282,10 @@ scene::TexturePtr layered(SceneBuilder& build, const scene::TexturePtr& below, c
     const auto* upper = std::get_if<Layers>(&top->kind);
     if (!lower) build.stream().fail(at, "a texture cannot be layered over a patterned texture");
     if (!upper) build.stream().fail(at, "a patterned texture cannot be layered over another texture");
-    auto both = std::make_shared<scene::Texture>(*below);
+    // What nobody else holds needs no copy: many layers would make one each, of all below.
+    const bool own = below.use_count() == 1;
+    auto both = own ? std::const_pointer_cast<scene::Texture>(std::move(below))
+                    : std::make_shared<scene::Texture>(*below);
     auto& layers = std::get<Layers>(both->kind);
     const std::size_t first = layers.size();
     layers.insert(layers.end(), upper->begin(), upper->end());
