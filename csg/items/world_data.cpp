@@ -156,7 +156,7 @@ void WorldData::finish()
                       programs[item.program].products.simple();
         item.plain = item.simple && programs[item.program].products.terms[0].plain();
         item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance && !item.simple &&
-                       programs[item.program].boolean.in_lanes;
+                       programs[item.program].boolean.usable();
         item.many = many(*this, item);
         const bool weighs = item.many && (item.solid == kNoPart || kind_of(item.solid) == SolidKind::Freeform);
         costly = costly || weighs;

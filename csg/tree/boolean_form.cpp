@@ -7,16 +7,6 @@
 namespace csg {
 namespace {
 
-/// Spans say all about what the solid draws, but for a torus' inner sheet.
-bool drawn_by_spans(const SolidStore& store, PartId part)
-{
-    return with_solid(store, part, [](const auto& solid) {
-        using T = std::decay_t<decltype(solid)>;
-        if constexpr (std::is_same_v<T, Freeform>) return !solid.surface() && !solid.reports_touches();
-        else return !std::is_same_v<T, Triangle> && !std::is_same_v<T, Mesh>;
-    });
-}
-
 /// Intervals of a leaf along any ray, as far as lanes have room for them.
 std::uint32_t most_pieces(const Node& node, const SolidStore& store)
 {
@@ -45,11 +35,6 @@ public:
         form_.first_leaf.push_back(static_cast<std::uint8_t>(form_.leaves.size()));
         std::vector<std::uint32_t> path;
         conditions_below(0, path);
-        std::uint8_t rank = 0;
-        for (const std::uint32_t leaf : drawing_order(0)) form_.leaves[leaf].rank = rank++;
-        std::uint32_t pieces = 0;
-        for (const BooleanLeaf& leaf : form_.leaves) pieces += leaf.most_pieces;
-        form_.in_lanes = pieces <= BooleanForm::kMostPieces;
         return std::move(form_);
     }
 
@@ -57,15 +42,19 @@ private:
     bool add_leaf(std::uint32_t i)
     {
         const Node& node = nodes_[i];
-        if (form_.leaves.size() == BooleanForm::kMostLeaves || !drawn_by_spans(store_, node.solid)) return false;
         BooleanLeaf leaf;
+        leaf.most_pieces = static_cast<std::uint8_t>(most_pieces(node, store_));
+        pieces_ += leaf.most_pieces;
+        // A torus' inner sheet is a piece within the outer one's.
+        const bool alone = node.draws_alone && kind_of(node.solid) != SolidKind::Torus;
+        if (pieces_ > BooleanForm::kMostPieces || alone) return false;
         leaf.solid = node.solid;
         leaf.node = i;
         leaf.inverted = node.inverted;
-        leaf.most_pieces = static_cast<std::uint8_t>(most_pieces(node, store_));
-        leaf.normal_flipped = node.inverted && kind_of(node.solid) != SolidKind::Quadric;
-        leaf.closed =
-            with_solid(store_, node.solid, [&](const auto& solid) { return holds_surface(solid, node.inverted); });
+        leaf.normal_flipped = node.normal_flipped;
+        leaf.closed = node.closed;
+        leaf.drawn = node.drawn;
+        leaf.rank = static_cast<std::uint8_t>(node.rank);
         form_.leaves.push_back(leaf);
         return true;
     }
@@ -86,26 +75,11 @@ private:
         path.pop_back();
     }
 
-    /// The leaves below node i in the order of their crossings: every operator but a union turns its operands' round
-    /// (Evaluation::filtered).
-    std::vector<std::uint32_t> drawing_order(std::uint32_t i) const
-    {
-        if (nodes_[i].op == Op::Leaf) return {form_.first_leaf[i]};
-        std::vector<std::uint32_t> out;
-        for (std::uint32_t k = i + 1; k < nodes_[i].end; k = nodes_[k].end) {
-            std::vector<std::uint32_t> operand = drawing_order(k);
-            if (nodes_[i].op != Op::Union) std::reverse(operand.begin(), operand.end());
-            out.insert(out.end(), operand.begin(), operand.end());
-        }
-        return out;
-    }
-
     /// What an ancestor asks of its operands other than the one that the leaf is in.
     void add_siblings(BooleanLeaf& leaf, std::uint32_t ancestor, std::uint32_t own)
     {
         const Op op = nodes_[ancestor].op;
         if (op == Op::Union) return;
-        if (op == Op::Clip && own != ancestor + 1) leaf.drawn = false;
         for (std::uint32_t k = ancestor + 1; k < nodes_[ancestor].end; k = nodes_[k].end)
             if (k != own) add_condition(leaf, k, op != Op::Merge);
     }
@@ -127,6 +101,7 @@ private:
     const std::vector<Node>& nodes_;
     const SolidStore& store_;
     BooleanForm form_;
+    std::uint32_t pieces_ = 0;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct BooleanLeaf {
     bool inverted = false;
     bool normal_flipped = false;            ///< Crossing::inverted of its ends
     bool closed = false;                    ///< Crossing::closed of them
-    std::uint8_t most_pieces = 1;           ///< intervals along any ray that there is room for in lanes
+    std::uint8_t most_pieces = 1;           ///< intervals along any ray that there is room for
     bool drawn = true;                      ///< not an operand that only clips
     std::uint8_t rank = 0;                  ///< its place in the order in which the general evaluation draws
     std::uint64_t inside = 0, outside = 0;  ///< leaves that have to hold the point of a drawn end; that may not
@@ -36,15 +36,12 @@ struct BooleanLeaf {
 
 struct BooleanForm {
     static constexpr std::uint32_t kMostLeaves = 64;
-    static constexpr std::uint32_t kMostSpans = 64;   ///< of all leaves along one ray; with more it is not decided
-    static constexpr std::uint32_t kMostPieces = 64;  ///< of all leaves together, for rays in lanes
-    static constexpr std::uint32_t kMostOfLeaf = 4;   ///< pieces of one leaf there; a ray with more is asked by itself
+    static constexpr std::uint32_t kMostPieces = 64;  ///< of all leaves together
+    static constexpr std::uint32_t kMostOfLeaf = 4;   ///< pieces of one leaf; a ray with more is asked by itself
     std::vector<BooleanLeaf> leaves;                  ///< bit i of a mask: leaf i. None: the object has no such form
     std::vector<BooleanCondition> conditions;
     std::vector<std::uint8_t>
         first_leaf;  ///< by node, and one past the last: leaves before it in the tree, so a leaf's own bit
-
-    bool in_lanes = false;  ///< its leaves have no more than kMostPieces
 
     bool usable() const { return !leaves.empty(); }
 };

@@ -1,397 +1,315 @@
 #pragma once
 
 // Continues program.h: evaluation along one ray, inline, since each kernel has its own.
-#include "csg/bvh/traverse.h"
-#include "csg/mesh/mesh_query.h"
 #include "csg/tree/face_held.h"
-#include "csg/tree/node_box.h"
+#include "csg/tree/tree_ends.h"
 
 #include <algorithm>
-#include <bit>
-#include <optional>
 
 namespace csg {
 
 /// One query: a ray, the range in which crossings matter, and the scratch it works in.
-class Evaluation {
+///
+/// The ends of all leaves that the ray comes near are gone through in order. An operator knows how many of its operands
+/// decide it by themselves, so what an end changes is found by going up as far as anything changes, and whether it is
+/// seen is asked of its ancestors alone. Where an intersection holds nothing, for one operand holds nothing there, no
+/// other operand is asked, nor any of a merge where one of them holds all. Operands of unions and merges at the top
+/// wait until the ray comes to their boxes. See docs/flat_csg.md.
+class Evaluation : TreeEnds {
 public:
     Evaluation(const Program& program, const SolidStore& store, const Ray& ray, double t_min, double t_max,
                Scratch& scratch)
-        : nodes_(program.nodes.data()), sieves_(program.sieves.data()), store_(store), ray_(ray),
-          inverse_(1.0 / ray.direction), t_min_(t_min), t_max_(t_max), scratch_(scratch)
-    {
-        scratch.prepare(program);
-        reach_ = origin_reach(ray);
-        if (!program.sieves.empty()) slabs_.emplace(ray);
-    }
+        : TreeEnds(program, store, ray, t_min, t_max, scratch)
+    {}
 
     /// The nearest visible crossing of the whole program; t is infinite when there is none. Among equal ones the last
     /// generated, as in POV-Ray (spec 5a, 2.1 and 2.2).
-    Crossing nearest() { return nearest(0); }
-
-    /// Appends all visible crossings within range, in POV-Ray's order of generation, and returns them.
-    std::pair<Crossing*, Crossing*> crossings()
-    {
-        visible(0);
-        return {scratch_.crossings_.get(), scratch_.crossings_.get() + scratch_.crossing_top_};
-    }
-
-    /// The spans of the inside that meet the range; correct within the range only.
-    SpanList inside()
-    {
-        SpanList out = list(nodes_[0].max_spans);
-        spans(0, out);
-        return out;
-    }
-
-private:
-    using Record = Scratch::Record;
-
-    SpanList list(std::uint32_t size)
-    {
-        SpanList made(scratch_.spans_.get() + scratch_.span_top_, size);
-        scratch_.span_top_ += size;
-        return made;
-    }
-
-    double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
-
-    /// Whether the ray meets the node's box within the range.
-    bool meets(const Node& node) const { return meets_box(node, ray_, inverse_, t_min_, t_max_); }
-
-    /// Calls f(operand) for the operands of node i, in order, until it returns false; some that cannot matter for this
-    /// ray are left out.
-    template <class F>
-    void each_operand(std::uint32_t i, F&& f)
-    {
-        const Node& node = nodes_[i];
-        if (node.first_sieve == node.last_sieve) {
-            for (std::uint32_t k = i + 1; k < node.end; k = nodes_[k].end)
-                if (!f(k)) return;
-            return;
-        }
-        const float begin = rounded_down(t_min_), end = rounded_up(t_max_);
-        for (std::uint32_t s = node.first_sieve; s < node.last_sieve; ++s) {
-            alignas(32) float near[8];
-            for (std::uint32_t met = slabs_->intersect(sieves_[s].bounds, begin, end, near); met != 0; met &= met - 1)
-                if (!f(sieves_[s].node[std::countr_zero(met)])) return;
-        }
-    }
-
-    /// All spans of a leaf, its part and conventions stamped on every end.
-    void leaf_spans(const Node& node, SpanList& out)
-    {
-        with_solid(store_, node.solid, [&](const auto& solid) {
-            using T = std::decay_t<decltype(solid)>;
-            if constexpr (std::is_same_v<T, Triangle>) {
-                out.clear();  // bounds nothing, inverted or not
-            } else {
-                if constexpr (std::is_same_v<T, Freeform>)
-                    if (solid.surface()) return out.clear();
-                // POV-Ray negates an inverted quadric's coefficients and normal: the normal stays (spec 5a, 2.5).
-                const bool normal_flipped = node.inverted && !std::is_same_v<T, Quadric>;
-                const bool closed = holds_surface(solid, node.inverted);
-                if constexpr (std::is_same_v<T, Mesh>) {
-                    solid.spans(ray_, node.inverted, out);
-                } else if (!node.inverted) {
-                    plain_spans(solid, out);
-                } else {
-                    constexpr std::uint32_t kMost = most_plain_spans<T>();
-                    Span plain[kMost];
-                    SpanList list(plain, kMost);
-                    plain_spans(solid, list);
-                    complement(list, out);
-                }
-                for (Span& span : out) {
-                    span.in.part = span.out.part = node.solid;
-                    span.in.inverted = span.out.inverted = normal_flipped;
-                    span.in.closed = span.out.closed = closed;
-                }
-            }
-        });
-    }
-
-    template <class T>
-    void plain_spans(const T& solid, SpanList& out) const
-    {
-        if constexpr (std::is_same_v<T, Freeform>) {
-            if (!scratch_.fetched.spans(&solid, t_min_, t_max_, out)) solid.spans(ray_, t_min_, t_max_, out);
-        } else if constexpr (std::is_same_v<T, Extrusion>) {
-            // Wider than what coincides with an end of the range.
-            solid.each_span(
-                ray_,
-                [&](double in, std::uint32_t in_face, double end, std::uint32_t end_face) {
-                    out.push({{.t = in, .face = in_face}, {.t = end, .face = end_face}});
-                },
-                t_min_ - 2.0 * slack(t_min_), t_max_ + 2.0 * slack(t_max_));
-        } else {
-            intersect(solid, ray_, out);
-        }
-    }
-
-    /// Whether the leaf may draw where it has no span.
-    bool drawn_without_span(const Node& node) const
-    {
-        const SolidKind kind = kind_of(node.solid);
-        return kind == SolidKind::Triangle || kind == SolidKind::Mesh ||
-               (kind == SolidKind::Freeform && store_.all<Freeform>()[index_of(node.solid)].reports_touches());
-    }
-
-    void add(const Crossing& crossing)
-    {
-        if (crossing.drawn() && crossing.t >= t_min_ && crossing.t <= t_max_)
-            scratch_.crossings_[scratch_.crossing_top_++] = crossing;
-    }
-
-    /// What a leaf draws: the ends of its spans, and what has no span to end.
-    void leaf_crossings(const Node& node, const SpanList& spans)
-    {
-        if (kind_of(node.solid) == SolidKind::Mesh) return mesh_crossings(node);
-        for (const Span& span : spans) {
-            add(span.in);
-            add(span.out);
-        }
-        if (kind_of(node.solid) == SolidKind::Triangle) {
-            double t = 0.0;
-            if (store_.all<Triangle>()[index_of(node.solid)].crossing(ray_, t))
-                add({.t = t, .part = node.solid});  // a patch ignores inversion
-        } else if (kind_of(node.solid) == SolidKind::Freeform) {
-            const Freeform& freeform = store_.all<Freeform>()[index_of(node.solid)];
-            if (!freeform.reports_touches()) return;
-            IntersectionList record(t_min_, t_max_, false);
-            freeform.intersect(ray_, record);
-            const bool normal_flipped = node.inverted && !freeform.surface();  // a patch ignores inversion
-            record.each_touching([&](double t, std::uint32_t face) {
-                add({.t = t, .part = node.solid, .face = face, .inverted = normal_flipped});
-            });
-        } else if (kind_of(node.solid) == SolidKind::Torus) {
-            const Torus& torus = store_.all<Torus>()[index_of(node.solid)];
-            double t[2];
-            const int n = spans.empty() ? 0 : torus.inner_sheet(ray_, t);
-            for (int i = 0; i < n; ++i) add({.t = t[i], .part = node.solid, .inverted = node.inverted, .closed = true});
-        }
-    }
-
-    /// Every face is drawn, whether it bounds a span or not.
-    void mesh_crossings(const Node& node)
-    {
-        const Mesh& mesh = store_.all<Mesh>()[index_of(node.solid)];
-        std::uint32_t left = mesh.most_crossings();
-        csg::mesh_crossings(
-            *mesh.shape, local_ray(mesh.frame, ray_), t_min_, t_max_, [&](double t, std::uint32_t face) {
-                add({.t = t, .part = node.solid, .face = face, .inverted = node.inverted, .closed = !node.inverted});
-                return --left > 0 ? t_max_ : -kInfinity;
-            });
-    }
-
-    /// Inside spans of node i into `out`, which is empty and holds max_spans of it.
-    void spans(std::uint32_t i, SpanList& out)
-    {
-        const Node& node = nodes_[i];
-        if (!meets(node)) {
-            if (node.inside_beyond) out.push(Span::everything());
-            return;
-        }
-        if (node.op == Op::Leaf) {
-            leaf_spans(node, out);
-            return;
-        }
-        if (node.op == Op::Guard) return spans(i + 1, out);  // what is inside does not depend on the ray
-        const bool both = node.op == Op::Intersection || node.op == Op::Clip;
-        const std::uint32_t mark = scratch_.span_top_;
-        SpanList sum = out, next = list(node.max_spans), operand = list(node.max_spans);
-        SpanList* from = &sum;
-        SpanList* to = &next;
-        bool first = true;
-        from->clear();
-        each_operand(i, [&](std::uint32_t k) {
-            operand.clear();
-            spans(k, operand);
-            if (first) {
-                for (const Span& span : operand) from->push(span);
-            } else if (both) {
-                intersect(*from, operand, *to);
-                std::swap(from, to);
-            } else if (!operand.empty()) {
-                unite(*from, operand, *to);
-                std::swap(from, to);
-            }
-            first = false;
-            return !both || !from->empty();
-        });
-        if (both && first) from->push(Span::everything());
-        out.clear();
-        if (from != &sum)
-            for (const Span& span : *from) out.push(span);
-        else out = sum;
-        scratch_.span_top_ = mark;
-    }
-
-    /// Appends the visible crossings of node i. False when an intersection was found to be empty here, so that the
-    /// operator above may stop: then nothing is appended.
-    bool visible(std::uint32_t i)
-    {
-        const Node& node = nodes_[i];
-        if (!meets(node)) return node.inside_beyond;
-        if (node.op == Op::Leaf) {
-            const std::uint32_t mark = scratch_.span_top_;
-            SpanList own = list(node.max_spans);
-            leaf_spans(node, own);
-            leaf_crossings(node, own);
-            scratch_.span_top_ = mark;
-            return true;
-        }
-        if (node.op == Op::Union) {
-            each_operand(i, [&](std::uint32_t k) {
-                visible(k);
-                return true;
-            });
-            return true;
-        }
-        if (node.op == Op::Guard) return !passes_guard(i) || visible(i + 1);
-        return filtered(i);
-    }
-
-    /// Whether the ray meets every bound of a guard, however far, or starts inside of it.
-    bool passes_guard(std::uint32_t i)
-    {
-        const double given = t_max_;
-        t_max_ = kInfinity;
-        bool all = true;
-        for (std::uint32_t k = nodes_[i + 1].end; k < nodes_[i].end && all; k = nodes_[k].end) {
-            const std::uint32_t span_mark = scratch_.span_top_, crossing_mark = scratch_.crossing_top_;
-            SpanList within = list(nodes_[k].max_spans);
-            spans(k, within);
-            bool met = false;
-            for (const Span& span : within) met = met || span.out.t >= t_min_;
-            if (!met) {  // where there is no inside, it is drawn all the same
-                visible(k);
-                met = scratch_.crossing_top_ > crossing_mark;
-                scratch_.crossing_top_ = crossing_mark;
-            }
-            scratch_.span_top_ = span_mark;
-            all = met;
-        }
-        t_max_ = given;
-        return all;
-    }
-
-    /// Merge, intersection and clip: each operand's crossings, in reverse (spec 5a, 2.2), kept where the inside spans
-    /// of every other operand say so.
-    bool filtered(std::uint32_t i)
-    {
-        const Node& node = nodes_[i];
-        const bool inside = node.op != Op::Merge;
-        const std::uint32_t span_mark = scratch_.span_top_, record_mark = scratch_.record_top_,
-                            crossing_mark = scratch_.crossing_top_;
-        bool possible = true;
-        each_operand(i, [&](std::uint32_t k) {
-            Record& record = scratch_.records_[scratch_.record_top_++];
-            record = Record{};
-            record.node = k;
-            record.first = scratch_.crossing_top_;
-            if (node.op == Op::Clip && k != i + 1) {
-                record.last = record.first;  // a clip is not drawn
-                return true;
-            }
-            possible = operand_crossings(k, record, node.op == Op::Intersection);
-            record.last = scratch_.crossing_top_;
-            std::reverse(scratch_.crossings_.get() + record.first, scratch_.crossings_.get() + record.last);
-            return possible;
-        });
-        if (!possible) scratch_.crossing_top_ = crossing_mark;
-        const std::uint32_t record_end = scratch_.record_top_;
-        std::uint32_t left = scratch_.crossing_top_ - crossing_mark;
-        for (std::uint32_t r = record_mark; r < record_end && left > 0; ++r)
-            left = keep_where(scratch_.records_[r], crossing_mark, inside);
-        if (left > 0) compact(crossing_mark);
-        else scratch_.crossing_top_ = crossing_mark;
-        scratch_.span_top_ = span_mark;
-        scratch_.record_top_ = record_mark;
-        return possible;
-    }
-
-    /// Crossings of operand k; a leaf's spans are kept for keep_where. False: nothing can be inside every operand.
-    bool operand_crossings(std::uint32_t k, Record& record, bool stop_if_empty)
-    {
-        const Node& node = nodes_[k];
-        if (node.op != Op::Leaf) return visible(k) || !stop_if_empty;
-        if (!meets(node)) return node.inside_beyond || !stop_if_empty;
-        record.spans = list(node.max_spans);
-        record.known = true;
-        leaf_spans(node, record.spans);
-        leaf_crossings(node, record.spans);
-        return !stop_if_empty || !record.spans.empty() || drawn_without_span(node);
-    }
-
-    /// Drops the crossings from `first` on that do not belong to the operand and are not inside (or not outside) it.
-    /// Dropped ones become NaN; returns how many are left.
-    std::uint32_t keep_where(Record& own, std::uint32_t first, bool inside)
-    {
-        Crossing* all = scratch_.crossings_.get();
-        std::uint32_t left = 0;
-        for (std::uint32_t c = first; c < scratch_.crossing_top_; ++c) {
-            if (!(all[c].t == all[c].t)) continue;
-            if (c >= own.first && c < own.last) {
-                ++left;
-                continue;
-            }
-            if (!own.known) {
-                own.spans = list(nodes_[own.node].max_spans);
-                spans(own.node, own.spans);
-                own.known = true;
-            }
-            const auto holds = [&](const Crossing& end) { return holds_end(store_, ray_, end, all[c]); };
-            if (own.spans.contains(all[c].t, slack(all[c].t), holds) == inside) ++left;
-            else all[c].t = std::numeric_limits<double>::quiet_NaN();
-        }
-        return left;
-    }
-
-    /// Closes the gaps that keep_where left.
-    void compact(std::uint32_t first)
-    {
-        Crossing* all = scratch_.crossings_.get();
-        std::uint32_t kept = first;
-        for (std::uint32_t c = first; c < scratch_.crossing_top_; ++c)
-            if (all[c].t == all[c].t) all[kept++] = all[c];
-        scratch_.crossing_top_ = kept;
-    }
-
-    Crossing nearest(std::uint32_t i)
+    Crossing nearest()
     {
         Crossing best{.t = kInfinity};
-        const Node& node = nodes_[i];
-        if (node.op == Op::Union) {
-            if (!meets(node)) return best;
-            const double given = t_max_;
-            each_operand(i, [&](std::uint32_t k) {
-                const Crossing found = nearest(k);
-                if (!(found.t <= best.t) || found.part == kNoPart) return true;
-                best = found;
-                t_max_ = found.t;  // nothing beyond it matters
-                return true;
-            });
-            t_max_ = given;
-            return best;
-        }
-        const std::uint32_t mark = scratch_.crossing_top_;
-        visible(i);
-        for (std::uint32_t c = mark; c < scratch_.crossing_top_; ++c)
-            if (scratch_.crossings_[c].t <= best.t) best = scratch_.crossings_[c];
-        scratch_.crossing_top_ = mark;
+        sweep([&](std::size_t i) {
+            if (!seen(i)) return true;
+            std::size_t drawn = i;
+            for (std::size_t k = i + 1; fill(k) && end(k).t == end(i).t; ++k)
+                if (seen(k) && node_of(end(k)).rank >= node_of(end(drawn)).rank) drawn = k;
+            best = crossing(end(drawn));
+            return false;
+        });
         return best;
     }
 
-    const Node* nodes_;
-    const OperandSieve* sieves_;
-    const SolidStore& store_;
-    std::optional<RaySlabs> slabs_;  ///< where there are sieves
-    const Ray ray_;
-    const glm::dvec3 inverse_;
-    double t_min_, t_max_;
-    double reach_ = 0.0;  ///< size of the origin, in units of the parameter
-    Scratch& scratch_;
+    /// All visible crossings within range, nearest first, equal ones in POV-Ray's order of generation: in scratch,
+    /// valid until its next use.
+    std::pair<const Crossing*, const Crossing*> crossings()
+    {
+        std::vector<std::uint32_t>& order = scratch_.seen_;
+        sweep([&](std::size_t i) {
+            if (!seen(i)) return true;
+            std::size_t at = order.size();
+            order.push_back(static_cast<std::uint32_t>(i));
+            for (;
+                 at > 0 && end(order[at - 1]).t == end(i).t && node_of(end(order[at - 1])).rank > node_of(end(i)).rank;
+                 --at)
+                std::swap(order[at - 1], order[at]);
+            return true;
+        });
+        for (const std::uint32_t i : order) scratch_.add(crossing(end(i)));
+        return scratch_.crossings();
+    }
+
+    /// The spans of the inside that meet the range; correct within the range only. In scratch, as the crossings.
+    SpanList inside()
+    {
+        std::vector<Span>& out = scratch_.inside_;
+        begin();
+        bool held = holds(root_);
+        if (held) out.push_back(Span::everything());
+        for (std::size_t i = 0; fill(i); ++i) {
+            if (!end(i).is_touch()) turn(end(i).node(), root_);
+            if (fill(i + 1) && same_side(i, i + 1)) continue;
+            if (holds(root_) == held) continue;
+            held = !held;
+            if (held) out.push_back(Span::from(crossing(end(i))));
+            else out.back().out = crossing(end(i));
+        }
+        SpanList spans(out.data(), static_cast<std::uint32_t>(out.size()));
+        for (const Span& span : out) spans.push(span);
+        return spans;
+    }
+
+private:
+    friend class TreeEnds;
+
+    /// For a part of a tree, while the whole waits.
+    Evaluation(const TreeEnds& whole, std::size_t ends, std::size_t waiting, std::uint32_t root)
+        : TreeEnds(whole), root_(root), first_(ends), first_waiting_(waiting)
+    {
+        t_max_ = kInfinity;
+        undrawn_ = false;
+    }
+
+    /// Where there is no inside, it is drawn all the same.
+    bool met()
+    {
+        begin();
+        bool any = holds(root_);
+        go_on([&](std::size_t i) {
+            any = any || holds(root_) || seen(i);
+            return !any;
+        });
+        return any;
+    }
+
+    const End& end(std::size_t i) const { return scratch_.ends_[first_ + i]; }
+    const Node& node_of(const End& e) const { return nodes_[e.node()]; }
+
+    Crossing crossing(const End& e) const
+    {
+        const Node& node = node_of(e);
+        return {e.t, node.solid, e.face, node.normal_flipped, node.closed};
+    }
+    bool same_side(std::size_t i, std::size_t k) const
+    {
+        return end(i).t == end(k).t && end(i).after() == end(k).after();
+    }
+
+    /// Calls f(index of an end) for the ends in range, in order, the tree being as it is behind each, until it returns
+    /// false.
+    template <class F>
+    void sweep(F&& f)
+    {
+        begin();
+        go_on(f);
+    }
+
+    void begin()
+    {
+        add(root_, {t_min_, t_max_}, true);
+        std::vector<End>& waiting = scratch_.waiting_;
+        heaped_ = waiting.size() - first_waiting_ > kFewToSort;
+        if (heaped_) std::make_heap(waiting.begin() + first(), waiting.end(), End::later);
+        else std::sort(waiting.begin() + first(), waiting.end(), End::later);
+    }
+
+    template <class F>
+    void go_on(F&& f)
+    {
+        for (std::size_t i = 0; fill(i); ++i) {
+            const End& e = end(i);
+            if (e.t > t_max_) return;
+            if (!e.is_touch()) turn(e.node(), root_);
+            passed_ = i;
+            if (!(e.t < t_min_) && !f(i)) return;
+        }
+    }
+
+    std::ptrdiff_t first() const { return static_cast<std::ptrdiff_t>(first_waiting_); }
+
+    /// Whether there are so many ends, sorted now.
+    bool fill(std::size_t i)
+    {
+        while (scratch_.ends_.size() - first_ <= i)
+            if (!next()) return false;
+        return true;
+    }
+    /// All ends up to a place are sorted.
+    void fill_to(double t)
+    {
+        while (scratch_.waiting_.size() > first_waiting_ && nearest_waiting().t <= t) next();
+    }
+    const End& nearest_waiting() const
+    {
+        return heaped_ ? scratch_.waiting_[first_waiting_] : scratch_.waiting_.back();
+    }
+    bool next()
+    {
+        std::vector<End>& waiting = scratch_.waiting_;
+        if (waiting.size() == first_waiting_) return false;
+        if (heaped_) std::pop_heap(waiting.begin() + first(), waiting.end(), End::later);
+        const End found = waiting.back();
+        waiting.pop_back();
+        if (!found.opens()) scratch_.ends_.push_back(found);
+        else open(found);
+        return true;
+    }
+
+    /// The ray has come to the box of an operand.
+    void open(const End& at)
+    {
+        if (at.t > t_max_) return;
+        std::vector<End>& waiting = scratch_.waiting_;
+        if (!heaped_) std::make_heap(waiting.begin() + first(), waiting.end(), End::later);
+        heaped_ = true;
+        const std::size_t before = waiting.size();
+        add(at.node(), {at.t, t_max_}, true);
+        if (holds(at.node())) changed(at.node(), root_);
+        for (std::size_t k = before; k < waiting.size(); ++k)
+            std::push_heap(waiting.begin() + first(), waiting.begin() + static_cast<std::ptrdiff_t>(k) + 1, End::later);
+    }
+
+    static bool same_place(double t, double other, double room) { return t >= other - room && t <= other + room; }
+
+    /// Whether an end is seen, of the one passed last or of others in exactly the same place.
+    bool seen(std::size_t i)
+    {
+        const End e = end(i);
+        if (!node_of(e).drawn || e.hidden() || e.face == kUndrawnFace) return false;
+        const double near = slack(e.t);
+        fill_to(e.t + 2.0 * near);
+        std::size_t first = i, last = i + 1;
+        while (first > 0 && same_place(e.t, end(first - 1).t, near)) --first;
+        while (last < scratch_.ends_.size() - first_ && same_place(e.t, end(last).t, near)) ++last;
+        const bool alone = last - first == 1;
+        if (!alone) gather(first, last);
+        for (std::uint32_t own = e.node(); own != root_;) {
+            const std::uint32_t above = nodes_[own].parent;
+            const Node& node = nodes_[above];
+            if (node.op != Op::Union && node.op != Op::Guard) {
+                const std::uint32_t against = count_[above] - (holds(own) != takes_all(node) ? 1u : 0u);
+                if (alone ? against != 0 : !seen_beside(i, above, own, against)) return false;
+            }
+            own = above;
+        }
+        return true;
+    }
+
+    /// Ends in one place by node, so that those of a subtree stand together.
+    void gather(std::size_t first, std::size_t last)
+    {
+        std::vector<std::uint32_t>& place = scratch_.place_;
+        place.clear();
+        for (std::size_t k = first; k < last; ++k)
+            if (!end(k).is_touch()) place.push_back(static_cast<std::uint32_t>(k));
+        std::stable_sort(place.begin(), place.end(),
+                         [this](std::uint32_t a, std::uint32_t b) { return end(a).node() < end(b).node(); });
+    }
+    /// The first of them from `at` on that lies in or behind node i.
+    std::size_t gathered_from(std::uint32_t i, std::size_t at) const
+    {
+        while (at < scratch_.place_.size() && end(scratch_.place_[at]).node() < i) ++at;
+        return at;
+    }
+
+    /// Whether a node lets an end of its operand `own` be seen. `against`: how many of its other operands do not, by
+    /// what they hold behind the end passed last.
+    bool seen_beside(std::size_t i, std::uint32_t above, std::uint32_t own, std::uint32_t against)
+    {
+        const bool all = takes_all(nodes_[above]);
+        const std::size_t begin = gathered_from(above, 0), stop = gathered_from(nodes_[above].end, begin);
+        const auto each = [&](auto&& f) {
+            for (std::size_t at = begin; at < stop;) {
+                std::uint32_t operand = end(scratch_.place_[at]).node();
+                while (nodes_[operand].parent != above) operand = nodes_[operand].parent;
+                const std::size_t next = gathered_from(nodes_[operand].end, at);
+                if (operand != own && !f(operand, at, next)) return false;
+                at = next;
+            }
+            return true;
+        };
+        each([&](std::uint32_t operand, std::size_t, std::size_t) {
+            against -= holds(operand) != all ? 1u : 0u;
+            return true;
+        });
+        return against == 0 && each([&](std::uint32_t operand, std::size_t from, std::size_t to) {
+                   return holds_beside(i, from, to, operand) == all;
+               });
+    }
+
+    /// Whether a subtree holds the place of an end, those gathered in [from, to) being ends of it: of the pieces of the
+    /// ray that it holds, the ends that lie there hold it or not as their solids have it (SpanList::contains).
+    bool holds_beside(std::size_t i, std::size_t from, std::size_t to, std::uint32_t subtree)
+    {
+        const auto held_at = [&](std::size_t k) { return holds_end(store_, ray_, crossing(end(k)), crossing(end(i))); };
+        if (to - from == 1) {
+            const std::size_t k = scratch_.place_[from];
+            const std::uint32_t leaf = end(k).node();
+            if ((count_[leaf] != 0) == held_at(k)) return holds(subtree);
+            turn(leaf, subtree);
+            const bool held = holds(subtree);
+            turn(leaf, subtree);
+            return held;
+        }
+        std::vector<std::uint32_t>& steps = scratch_.steps_;
+        steps.assign(scratch_.place_.begin() + static_cast<std::ptrdiff_t>(from),
+                     scratch_.place_.begin() + static_cast<std::ptrdiff_t>(to));
+        std::sort(steps.begin(), steps.end());
+        for (const std::uint32_t k : steps)  // as it is before all of them
+            if (k <= passed_) turn(end(k).node(), subtree);
+        bool held = holds(subtree), begun = held, answer = false;
+        for (std::size_t at = 0; at < steps.size();) {
+            std::uint32_t entry = steps[at], exit = entry;  // ends on one side of one place are one step
+            const std::uint32_t first = entry;
+            for (; at < steps.size() && same_side(first, steps[at]); ++at) {
+                const std::uint32_t leaf = end(steps[at]).node();
+                turn(leaf, subtree);
+                (count_[leaf] != 0 ? entry : exit) = steps[at];
+            }
+            if (holds(subtree) == held) continue;
+            held = !held;
+            if (held) begun = held_at(entry);
+            else answer = answer || (begun && held_at(exit)), begun = false;
+        }
+        for (const std::uint32_t k : steps)
+            if (k > passed_) turn(end(k).node(), subtree);
+        return answer || (held && begun);
+    }
+
+    static constexpr std::size_t kFewToSort = 24;
+
+    std::uint32_t root_ = 0;
+    std::size_t first_ = 0, first_waiting_ = 0;  ///< ours among the scratch's ends
+    std::size_t passed_ = 0;                     ///< the end that the sweep has come to
+    bool heaped_ = false;                        ///< waiting ends are a heap; else they are sorted, the nearest last
+    bool undrawn_ = false;                       ///< what is added now is behind a guard
 };
+
+inline bool TreeEnds::meets_bound(std::uint32_t bound)
+{
+    const std::size_t ends = scratch_.ends_.size(), waiting = scratch_.waiting_.size();
+    const bool met = Evaluation(*this, ends, waiting, bound).met();
+    cut(scratch_.ends_, ends);
+    cut(scratch_.waiting_, waiting);
+    return met;
+}
 
 }  // namespace csg

@@ -2,6 +2,7 @@
 
 #include "csg/freeform/shared/ray_batch.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace csg {
@@ -12,6 +13,7 @@ public:
     void clear()
     {
         leaves_.clear();
+        solids_.clear();
         ends_.clear();
         ray_ = kNoRay;
     }
@@ -20,7 +22,7 @@ public:
     void add(const void* solid, const RayBatch& batch)
     {
         Leaf& leaf = leaves_.emplace_back();
-        leaf.solid = solid;
+        solids_.push_back(solid);
         for (std::size_t k = 0; k < batch.count; ++k) {
             const IntersectionList& record = batch.records[k];
             Part& part = leaf.parts[batch.place[k]];
@@ -35,20 +37,19 @@ public:
     /// The ray that the object is asked about next, by its place in the tile.
     void select(int ray) { ray_ = ray; }
 
-    /// Appends the leaf's spans along that ray. False: they are not known for [from, to].
-    bool spans(const void* solid, double from, double to, SpanList& out) const
+    /// Calls f(t in, face, t out, face) for the leaf's spans along that ray. False: they are not known for [from, to].
+    template <class F>
+    bool each_span(const void* solid, double from, double to, F&& f) const
     {
         if (ray_ == kNoRay) return false;
-        for (const Leaf& leaf : leaves_) {
-            if (leaf.solid != solid) continue;
-            const Part& part = leaf.parts[static_cast<std::size_t>(ray_)];
-            if (!(part.from <= from && to <= part.to)) return false;
-            for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
-                out.push(
-                    {{.t = ends_[i].in, .face = ends_[i].in_face}, {.t = ends_[i].out, .face = ends_[i].out_face}});
-            return true;
-        }
-        return false;
+        const auto leaf = std::find(solids_.begin(), solids_.end(), solid);
+        if (leaf == solids_.end()) return false;
+        const Part& part =
+            leaves_[static_cast<std::size_t>(leaf - solids_.begin())].parts[static_cast<std::size_t>(ray_)];
+        if (!(part.from <= from && to <= part.to)) return false;
+        for (std::uint32_t i = part.first; i < part.first + part.count; ++i)
+            f(ends_[i].in, ends_[i].in_face, ends_[i].out, ends_[i].out_face);
+        return true;
     }
 
 private:
@@ -64,11 +65,11 @@ private:
         std::uint32_t first = 0, count = 0;
     };
     struct Leaf {
-        const void* solid = nullptr;
         std::array<Part, kTileRays> parts;
     };
 
-    std::vector<Leaf> leaves_;  // kept for their memory
+    std::vector<const void*> solids_;  ///< of the leaves: apart, for they are looked through
+    std::vector<Leaf> leaves_;         // kept for their memory
     std::vector<Ends> ends_;
     int ray_ = kNoRay;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 // Continues evaluate.h: the queries that callers use.
-#include "csg/tree/boolean_walk.h"
+#include "csg/tree/evaluate.h"
 #include "csg/tree/product_front.h"
 
 namespace csg {
@@ -17,10 +17,6 @@ inline Crossing nearest_visible(const Program& program, const SolidStore& store,
         const auto answer = ProductFront(program.products, store, ray, slabs, t_min, t_max, scratch).nearest(found);
         if (answer == ProductFront::Answer::Found) return found;
         if (answer == ProductFront::Answer::Nothing) return {.t = kInfinity};
-    } else if (program.boolean.usable()) {
-        const ProductAnswer answer = BooleanWalk(program, store, ray, t_min, t_max, scratch).nearest(found);
-        if (answer == ProductAnswer::Found) return found;
-        if (answer == ProductAnswer::Nothing) return {.t = kInfinity};
     }
     return Evaluation(program, store, ray, t_min, t_max, scratch).nearest();
 }
@@ -31,10 +27,7 @@ inline std::pair<const Crossing*, const Crossing*> visible_crossings(const Progr
                                                                      Scratch& scratch)
 {
     if (program.nodes.empty()) return {nullptr, nullptr};
-    const auto [begin, end] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
-    for (Crossing* a = begin; a != end; ++a)  // few of them, and nearly sorted
-        for (Crossing* b = a; b != begin && b->t < (b - 1)->t; --b) std::swap(*b, *(b - 1));
-    return {begin, end};
+    return Evaluation(program, store, ray, t_min, t_max, scratch).crossings();
 }
 
 /// f(Crossing) for all crossings seen with t_min <= t <= t_max, each once, in any order. f may not use scratch.
@@ -55,14 +48,6 @@ inline void each_crossing(const Program& program, const SolidStore& store, const
                 for (const Crossing* c = first; c != last; ++c) f(*c);
                 return;
             }
-        }
-    } else if (program.boolean.usable()) {
-        if (BooleanWalk(program, store, ray, t_min, t_max, scratch).crossings([&](const Crossing& c) {
-                scratch.add(c);
-            })) {
-            const auto [first, last] = scratch.crossings();
-            for (const Crossing* c = first; c != last; ++c) f(*c);
-            return;
         }
     }
     const auto [first, last] = Evaluation(program, store, ray, t_min, t_max, scratch).crossings();

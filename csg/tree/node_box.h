@@ -18,20 +18,37 @@ inline double origin_reach(const Ray& ray)
     return glm::max(o.x, glm::max(o.y, o.z)) / glm::max(d.x, glm::max(d.y, d.z));
 }
 
-/// Whether the ray meets the node's box between t_min and t_max. inverse: of its direction.
-inline bool meets_box(const Node& node, const Ray& ray, const glm::dvec3& inverse, double t_min, double t_max)
+/// A part of a ray; none as it begins.
+struct Stretch {
+    double from = kInfinity, to = -kInfinity;
+
+    static Stretch everything() { return {-kInfinity, kInfinity}; }
+    /// Makes it reach over another.
+    void include(const Stretch& other)
+    {
+        from = glm::min(from, other.from);
+        to = glm::max(to, other.to);
+    }
+    void narrow(const Stretch& other)
+    {
+        from = glm::max(from, other.from);
+        to = glm::min(to, other.to);
+    }
+};
+
+/// Whether the ray meets the node's box within a stretch, which becomes what lies in the box. inverse: of its
+/// direction.
+inline bool narrow_to_box(const Node& node, const Ray& ray, const glm::dvec3& inverse, Stretch& part)
 {
-    if (!node.test_box) return true;
-    double first = t_min, last = t_max;
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const bool backward = std::signbit(inverse[i]);
         const double a = (static_cast<double>(backward ? node.upper[k] : node.lower[k]) - ray.origin[i]) * inverse[i];
         const double b = (static_cast<double>(backward ? node.lower[k] : node.upper[k]) - ray.origin[i]) * inverse[i];
-        if (a > first) first = a;  // NaN keeps what was there
-        if (b < last) last = b;
+        if (a > part.from) part.from = a;  // NaN keeps what was there
+        if (b < part.to) part.to = b;
     }
-    return first <= last + kCoincidence * std::abs(last);
+    return part.from <= part.to + kCoincidence * std::abs(part.to);
 }
 
 }  // namespace csg

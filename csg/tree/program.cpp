@@ -201,37 +201,78 @@ std::uint32_t leaf_spans(PartId part, const SolidStore& store)
     });
 }
 
-std::uint32_t leaf_crossings(PartId part, const SolidStore& store)
+/// Whether a solid may draw what ends no span.
+bool draws_alone(PartId part, const SolidStore& store)
 {
-    return with_solid(store, part, [](const auto& solid) -> std::uint32_t {
-        if constexpr (requires { solid.most_crossings(); }) return solid.most_crossings();
-        else return 8;
+    return with_solid(store, part, [](const auto& solid) {
+        using T = std::decay_t<decltype(solid)>;
+        if constexpr (std::is_same_v<T, Torus>) return solid.spindle();
+        else if constexpr (std::is_same_v<T, Freeform>) return solid.reports_touches();
+        else return std::is_same_v<T, Triangle> || std::is_same_v<T, Mesh>;
     });
 }
 
-/// Appends the draft's nodes; returns how many spans it may have.
-std::uint32_t flatten(const Draft& draft, const SolidStore& store, Program& program)
+void describe_leaf(Node& node, const SolidStore& store)
 {
-    const std::size_t at = program.nodes.size();
+    const SolidKind kind = kind_of(node.solid);
+    const bool bounds = with_solid(store, node.solid, [](const auto& solid) { return bounds_space(solid); });
+    node.max_spans = leaf_spans(node.solid, store);
+    node.turned = node.inverted && bounds && kind != SolidKind::Mesh;
+    // POV-Ray negates an inverted quadric's coefficients and normal: the normal stays (spec 5a, 2.5). A patch ignores
+    // inversion.
+    node.normal_flipped = node.inverted && kind != SolidKind::Quadric && (bounds || kind == SolidKind::Mesh);
+    node.closed = with_solid(store, node.solid, [&](const auto& solid) { return holds_surface(solid, node.inverted); });
+    node.draws_alone = draws_alone(node.solid, store);
+    node.quick = kind != SolidKind::Torus && kind != SolidKind::Mesh && kind != SolidKind::Extrusion &&
+                 kind != SolidKind::Polynomial && kind != SolidKind::Freeform;
+}
+
+/// Appends the draft's nodes.
+void flatten(const Draft& draft, const SolidStore& store, std::uint32_t parent, bool drawn, Program& program)
+{
+    const auto at = static_cast<std::uint32_t>(program.nodes.size());
     program.nodes.emplace_back();
-    std::uint32_t max_spans = 1;
-    if (draft.op == Op::Leaf) max_spans = leaf_spans(draft.solid, store);
-    for (const Draft& operand : draft.operands) max_spans += flatten(operand, store, program);
+    bool all_quick = true, mixed = false;
+    for (std::size_t k = 0; k < draft.operands.size(); ++k) {
+        const auto operand = static_cast<std::uint32_t>(program.nodes.size());
+        const bool seen = k == 0 || draft.op == Op::Guard || draft.op != Op::Clip;
+        flatten(draft.operands[k], store, at, (drawn || (draft.op == Op::Guard && k > 0)) && seen, program);
+        mixed = mixed || (!all_quick && program.nodes[operand].quick);
+        all_quick = all_quick && program.nodes[operand].quick;
+    }
     Node& node = program.nodes[at];
     for (int i = 0; i < 3; ++i) {
         node.lower[static_cast<std::size_t>(i)] = down(draft.box.lower[i]);
         node.upper[static_cast<std::size_t>(i)] = up(draft.box.upper[i]);
     }
     node.end = static_cast<std::uint32_t>(program.nodes.size());
+    node.parent = parent;
     node.solid = draft.solid;
-    node.max_spans = max_spans;
     node.op = draft.op;
     node.inverted = draft.inverted;
     node.inside_beyond = draft.inside_beyond;
     node.test_box = box_worth_testing(draft);
-    program.span_memory += 3 * max_spans;  // an operator's operand and two buffers, or a leaf's own
-    program.crossing_memory += draft.op == Op::Leaf ? leaf_crossings(draft.solid, store) : 0;
-    return max_spans;
+    node.bounded = node.test_box && draft.box.finite() && !draft.inside_beyond;
+    node.drawn = drawn;
+    node.mixed = mixed && draft.op != Op::Union && draft.op != Op::Guard;
+    if (draft.op != Op::Leaf) return;
+    describe_leaf(node, store);
+    program.span_memory = std::max(program.span_memory, node.max_spans);
+}
+
+/// Ranks the leaves below node i in the order of their crossings: every operator but a union turns its operands' round
+/// (spec 5a, 2.2).
+void rank_leaves(std::vector<Node>& nodes, std::uint32_t i, bool turned, std::uint32_t& rank)
+{
+    if (nodes[i].op == Op::Leaf) {
+        nodes[i].rank = rank++;
+        return;
+    }
+    std::vector<std::uint32_t> operands;
+    for (std::uint32_t k = i + 1; k < nodes[i].end; k = nodes[k].end) operands.push_back(k);
+    if (turned) std::reverse(operands.begin(), operands.end());
+    const bool turns = nodes[i].op != Op::Union && nodes[i].op != Op::Guard;
+    for (const std::uint32_t k : operands) rank_leaves(nodes, k, turned != turns, rank);
 }
 
 /// Whether an operator's answer is the same without an operand whose box the ray misses.
@@ -283,23 +324,15 @@ Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
     Program program;
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;
-    flatten(draft, store, program);
+    flatten(draft, store, 0, true, program);
+    std::uint32_t rank = 0;
+    rank_leaves(program.nodes, 0, false, rank);
     add_sieves(program);
     program.bounds = draft.box;
     program.inside_beyond = draft.inside_beyond;
     program.products = sum_of_products(program, store);
     program.boolean = boolean_form(program, store);
     return program;
-}
-
-void Scratch::grow(const Program& program)
-{
-    span_capacity_ = std::max<std::size_t>(span_capacity_, program.span_memory);
-    crossing_capacity_ = std::max<std::size_t>(crossing_capacity_, program.crossing_memory);
-    record_capacity_ = std::max(record_capacity_, program.nodes.size());
-    spans_ = std::make_unique<Span[]>(span_capacity_);
-    crossings_ = std::make_unique<Crossing[]>(crossing_capacity_);
-    records_ = std::make_unique<Record[]>(record_capacity_);
 }
 
 void Scratch::grow_pieces(std::size_t count)

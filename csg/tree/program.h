@@ -36,13 +36,24 @@ enum class Op : std::uint8_t { Leaf, Union, Merge, Intersection, Clip, Guard };
 struct Node {
     std::array<float, 3> lower, upper;              ///< world box, rounded outward, of everything the node draws
     std::uint32_t end = 0;                          ///< one past the last operand: a missed box jumps here
+    std::uint32_t parent = 0;                       ///< the root's is itself
     PartId solid = kNoPart;                         ///< leaf only
-    std::uint32_t max_spans = 0;                    ///< at most so many spans along any ray
+    std::uint32_t max_spans = 0;                    ///< leaf only: at most so many spans along any ray
     std::uint32_t first_sieve = 0, last_sieve = 0;  ///< of Program::sieves: boxes of its operands, where they are many
+    std::uint32_t rank = 0;  ///< leaf only: its place in the order in which POV-Ray generates crossings
     Op op = Op::Leaf;
-    bool inverted = false;       ///< leaf only
     bool inside_beyond = false;  ///< what lies outside the box is inside the solid (an inverted operand)
     bool test_box = true;        ///< false where the box test costs as much as the solid
+    bool bounded = false;        ///< the box is finite and holds all; it is worth testing
+    bool drawn = true;           ///< not of an operand that only clips
+    bool mixed = false;          ///< an operator with quick operands behind others
+    // Of a leaf:
+    bool inverted = false;
+    bool turned = false;          ///< what its solid does not hold is held; not of a mesh, which is asked for that
+    bool normal_flipped = false;  ///< Crossing::inverted of what it draws
+    bool closed = false;          ///< Crossing::closed of its ends
+    bool draws_alone = false;     ///< it may draw what ends no span
+    bool quick = false;           ///< soon asked
 };
 static_assert(sizeof(Node) <= 64, "one cache line");
 
@@ -58,12 +69,12 @@ struct alignas(64) OperandSieve {
 struct Program {
     std::vector<Node> nodes;  ///< empty: nothing to draw, nothing inside
     std::vector<OperandSieve> sieves;
-    Aabb bounds;                 ///< world box of everything drawn; empty when nothing is
-    bool inside_beyond = false;  ///< the solid goes on outside the bounds
-    SumOfProducts products;      ///< the same as a union of terms, where it can be written so
-    BooleanForm boolean;         ///< otherwise what decides which ends are drawn, where its leaves are few and simple
-    std::uint32_t span_memory = 0;      ///< spans of scratch one query needs
-    std::uint32_t crossing_memory = 0;  ///< crossings of scratch one query needs
+    Aabb bounds;                    ///< world box of everything drawn; empty when nothing is
+    bool inside_beyond = false;     ///< the solid goes on outside the bounds
+    SumOfProducts products;         ///< the same as a union of terms, where it can be written so
+    BooleanForm boolean;            ///< the same for rays in lanes: what decides which ends are drawn, where its leaves
+                                    ///< are few and simple
+    std::uint32_t span_memory = 0;  ///< spans of scratch one query needs
 };
 
 /// Whether operands that cannot matter are dropped, and how many were.
@@ -82,17 +93,54 @@ struct OrderedItem {
     std::uint32_t item;
 };
 
+/// Where a ray passes an end of a leaf, as Evaluation sorts them.
+class TreeEnd {
+public:
+    double t;
+    std::uint32_t face;
+
+    static TreeEnd of(double t, std::uint32_t face, std::uint32_t leaf, bool after, bool hidden)
+    {
+        return {t, face, (after ? kAfter : 0u) | leaf << 2 | (hidden ? kHidden : 0u)};
+    }
+    /// A surface that bounds nothing.
+    static TreeEnd touch(double t, std::uint32_t face, std::uint32_t leaf) { return {t, face, leaf << 2 | kTouch}; }
+    /// No end, but where the ray may come into the box of a node.
+    static TreeEnd opening(double t, std::uint32_t node) { return {t, 0, node << 2 | kOpening}; }
+
+    std::uint32_t node() const { return (order_ & ~kAfter) >> 2; }
+    /// The point at t itself belongs to what is before the end: of two in one place this comes later.
+    bool after() const { return (order_ & kAfter) != 0; }
+    bool hidden() const { return (order_ & 3u) == kHidden; }
+    bool is_touch() const { return (order_ & 3u) == kTouch; }
+    bool opens() const { return (order_ & 3u) == kOpening; }
+    static bool later(const TreeEnd& a, const TreeEnd& b) { return a.t != b.t ? a.t > b.t : a.order_ > b.order_; }
+
+private:
+    TreeEnd(double at, std::uint32_t side, std::uint32_t order) : t(at), face(side), order_(order) {}
+    static constexpr std::uint32_t kAfter = 1u << 31, kHidden = 1, kTouch = 2, kOpening = 3;
+    std::uint32_t order_;
+};
+
 /// Working memory of one thread, reused from ray to ray.
 class Scratch {
 public:
     void prepare(const Program& program)
     {
-        if (program.span_memory > span_capacity_ || program.crossing_memory > crossing_capacity_ ||
-            program.nodes.size() > record_capacity_)
-            grow(program);
-        span_top_ = 0;
-        crossing_top_ = 0;
-        record_top_ = 0;
+        if (program.span_memory > spans_.size()) spans_.resize(program.span_memory);
+        if (program.nodes.size() > counts_.size()) counts_.resize(program.nodes.size());
+        ends_.clear();
+        waiting_.clear();
+        seen_.clear();
+        inside_.clear();
+        crossings_.clear();
+    }
+
+    /// Room for the spans of one leaf, valid until the next call.
+    SpanList leaf_spans(std::uint32_t most)
+    {
+        if (most > spans_.size()) spans_.resize(most);
+        return {spans_.data(), most};
     }
 
     /// Room for so many pieces of a sum of products, valid until the next call.
@@ -133,35 +181,28 @@ public:
     CancelWatch cancel;
 
     /// Keeps a crossing.
-    void add(const Crossing& c) { crossings_[crossing_top_++] = c; }
+    void add(const Crossing& c) { crossings_.push_back(c); }
     /// Keeps a crossing unless it is there already: terms share solids.
     void add_once(const Crossing& c)
     {
-        for (std::uint32_t i = 0; i < crossing_top_; ++i)
-            if (crossings_[i].t == c.t && crossings_[i].part == c.part && crossings_[i].face == c.face) return;
-        crossings_[crossing_top_++] = c;
+        for (const Crossing& known : crossings_)
+            if (known.t == c.t && known.part == c.part && known.face == c.face) return;
+        crossings_.push_back(c);
     }
     std::pair<const Crossing*, const Crossing*> crossings() const
     {
-        return {crossings_.get(), crossings_.get() + crossing_top_};
+        return {crossings_.data(), crossings_.data() + crossings_.size()};
     }
 
-    /// What an operator remembers of one operand while it works.
-    struct Record {
-        SpanList spans;
-        std::uint32_t node = 0;             ///< the operand
-        std::uint32_t first = 0, last = 0;  ///< its crossings
-        bool known = false;                 ///< spans were evaluated already
-    };
-
 private:
+    friend class TreeEnds;
     friend class Evaluation;
-    friend class BooleanWalk;
-    void grow(const Program& program);
     void grow_pieces(std::size_t count);
-    std::unique_ptr<Span[]> spans_;
-    std::unique_ptr<Crossing[]> crossings_;
-    std::unique_ptr<Record[]> records_;
+    std::vector<TreeEnd> ends_, waiting_;              ///< of the tree at hand: those in order, and the others
+    std::vector<std::uint32_t> counts_;                ///< by node
+    std::vector<std::uint32_t> seen_, place_, steps_;  ///< among ends_
+    std::vector<Span> spans_, inside_;
+    std::vector<Crossing> crossings_;
     std::unique_ptr<ProductPiece[]> pieces_;
     std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
@@ -169,8 +210,7 @@ private:
     std::vector<std::uint32_t> tied_items_;
     std::vector<Hit> tied_hits_;
     std::vector<ProductCandidate> candidates_;
-    std::size_t span_capacity_ = 0, crossing_capacity_ = 0, record_capacity_ = 0, piece_capacity_ = 0;
-    std::uint32_t span_top_ = 0, crossing_top_ = 0, record_top_ = 0;
+    std::size_t piece_capacity_ = 0;
 };
 
 /// Whether the world point is inside (spec 5a, 8.1 and 2.4).

@@ -5,16 +5,17 @@
 #include "csg/packet/lanes/lane_solids.h"
 #include "csg/packet/lanes/lane_torus.h"
 #include "csg/tree/face_held.h"
+#include "csg/tree/leaf_spans.h"
 #include "csg/tree/program.h"
 #include "csg/packet/lanes/tile_rays.h"
 
 /// A CSG object's boolean form against a tile of rays, in vector lanes.
 namespace csg {
 
-/// The crossings of a boolean form for each ray, as BooleanWalk finds them: the pieces of all leaves, and for each end
+/// The crossings of a boolean form for each ray, as Evaluation finds them: the pieces of all leaves, and for each end
 /// of a piece which of the other leaves hold it. Solids without a test in lanes are asked ray by ray; what is made of
-/// their pieces goes in lanes all the same. Where BooleanWalk does not decide about ends in one place neither does
-/// this, so the answers are the same.
+/// their pieces goes in lanes all the same. Rays that meet more ends in one place than one leaf's and, at most, one of
+/// a subtree among the conditions are left to it.
 template <class Rays>
 class LaneBoolean {
 public:
@@ -233,24 +234,27 @@ private:
         each_ray(mask, [&](std::size_t ray) {
             if (rays_.limit[ray] < 0.0) return;
             scratch.fetched.select(places_ != nullptr ? places_[ray] : static_cast<int>(ray));
-            const SpanList spans = BooleanWalk(*program_, store_, rays_.ray(static_cast<int>(ray)), rays_.t_min[ray],
-                                               rays_.limit[ray], scratch)
-                                       .spans_of(leaf);
-            if (spans.empty()) return;
+            const Ray of = rays_.ray(static_cast<int>(ray));
+            std::uint32_t count = 0;
+            with_solid(store_, leaf.solid, [&](const auto& solid) {
+                each_span_of(solid, of, false, rays_.t_min[ray], rays_.limit[ray], origin_reach(of), scratch.fetched,
+                             scratch.leaf_spans(program_->nodes[leaf.node].max_spans),
+                             [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                                 if (count < most) put(own[count], ray, in, in_face, out, out_face);
+                                 ++count;
+                             });
+            });
+            if (count == 0) return;
             held |= RayMask{1} << ray;
-            if (spans.size() > most) {
-                undecided |= RayMask{1} << ray;
-                return;
-            }
-            for (std::uint32_t p = 0; p < spans.size(); ++p) put(own[p], ray, spans[p]);
-            used = std::max(used, spans.size());
+            if (count > most) undecided |= RayMask{1} << ray;
+            used = std::max(used, std::min(count, most));
         });
         pieces_ -= most - used;
         return held;
     }
 
     /// Of one ray; the first of a vector makes the others empty.
-    static void put(Piece& piece, std::size_t ray, const Span& span)
+    static void put(Piece& piece, std::size_t ray, double in, std::uint32_t in_face, double out, std::uint32_t out_face)
     {
         const int i = static_cast<int>(ray) & ~(lanes::kDoubles - 1);
         if ((piece.rays >> ray & 1) == 0) {
@@ -258,10 +262,10 @@ private:
             store(piece.t[0], i, lanes::beyond());
             store(piece.t[1], i, lanes::before());
         }
-        piece.t[0][ray] = span.in.t;
-        piece.t[1][ray] = span.out.t;
-        piece.face[0][ray] = span.in.face;
-        piece.face[1][ray] = span.out.face;
+        piece.t[0][ray] = in;
+        piece.t[1][ray] = out;
+        piece.face[0][ray] = in_face;
+        piece.face[1][ray] = out_face;
     }
 
     void nearest(int i)
@@ -270,7 +274,7 @@ private:
         Bool some(false);
         each_end(i, [&](std::uint32_t p, std::size_t side, Double at, Bool in_range) {
             const Double own(static_cast<double>(form_->leaves[piece_[p].leaf].rank));
-            // Ends of lower rank in the same place are looked at too: BooleanWalk has to decide all of them.
+            // Ends of lower rank in the same place are looked at too: whether they are decided counts.
             const Bool reached = in_range & (at <= t);
             if (lanes::mask(reached) == 0) return;
             look(i, piece_[p], side, at);
@@ -327,7 +331,7 @@ private:
         return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
     }
 
-    /// Which of the leaves that matter hold the points at t, as BooleanWalk has it, and where more ends are in the same
+    /// Which of the leaves that matter hold the points at t, as Evaluation has it, and where more ends are in the same
     /// place than it decides.
     void look(int i, const Piece& end_of, std::size_t side, Double t)
     {
