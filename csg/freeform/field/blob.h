@@ -117,8 +117,8 @@ private:
     void gather(const Field& field, const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
     void gather_capsule(const Field& field, const Ray& ray, double from, double to, Stretch*& out) const;
     void gather_loose(const Ray& ray, double inverse, double from, double to, Stretch*& out) const;
-    /// Numbers of the components whose boxes one of these rays meets between two of its parameters, rising, so that
-    /// a ray has its stretches in one order whatever others are asked with it.
+    /// Numbers of the components whose boxes one of these rays meets between two of its parameters, as the hierarchy
+    /// has them: a ray has its stretches in one order whatever others are asked with it.
     struct Part {
         Ray ray;
         double from, to;

@@ -16,7 +16,7 @@ public:
         // Most rays that meet fields stay below the threshold, and those that leave a surface have its better part
         // behind.
         if (threshold_ >= 0.0 && walk_.most_of_all() < threshold_) return;
-        walk_.sort_ends(from_);
+        walk_.set_ends(from_);
         stride_ = walk_.end_count / 2;
         inside_ = below();
         more_ = !inside_ || out_->enter(-kInfinity, kUndrawnFace);
@@ -28,6 +28,7 @@ public:
         while (more_ && at_ < walk_.end_count) {
             walk_.pass(walk_.ends[at_]);
             double a = walk_.ends[at_++].t;
+            if (at_ == walk_.sorted && at_ < walk_.end_count) walk_.sort_more();
             const double b = at_ < walk_.end_count ? walk_.ends[at_].t : a;
             if (!(a < b) || b < from_) continue;
             if (a > to_) break;
@@ -54,7 +55,7 @@ public:
             if (changes > 1) each_change(sum_, a, b, kHalvings, [&](double t) { return cross(t); });
         }
         // Nothing reaches beyond the last end.
-        if (more_ && inside_ != below() && walk_.end_count != 0) cross(walk_.ends[walk_.end_count - 1].t);
+        if (more_ && inside_ != below() && walk_.end_count != 0) cross(walk_.last_end());
         return false;
     }
 
@@ -70,7 +71,7 @@ private:
     {
         if (!walk_.only_adds) return false;
         for (;; stride_ /= 2) {
-            const std::size_t last = std::min(at_ + stride_, walk_.end_count - 1);
+            const std::size_t last = std::min(at_ + stride_, walk_.sorted - 1);
             if (walk_.least(a, walk_.ends[last].t) > threshold_) {
                 while (at_ < last) walk_.pass(walk_.ends[at_++]);
                 return true;

@@ -134,7 +134,6 @@ void Blob::find_near(std::span<const Part> rays, std::vector<std::uint32_t>& out
             else stack[top++] = {node.child[c].index(), met[c]};
         }
     }
-    std::sort(out.begin(), out.end());
 }
 
 template <std::size_t components>

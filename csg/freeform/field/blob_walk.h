@@ -104,10 +104,11 @@ struct Blob::Walk {
     End* ends;
     std::uint32_t* active;
     std::size_t stretch_count = 0, end_count = 0, active_count = 0;
-    bool only_adds = true;  ///< no field takes away
+    std::size_t sorted = 0;  ///< of the ends; most rays are done before they need them all
+    bool only_adds = true;   ///< no field takes away
 
-    /// Those from `from` on, behind the last one before it; what began earlier is active.
-    void sort_ends(double from)
+    /// Those from `from` on, and the last one before it; what began earlier is active.
+    void set_ends(double from)
     {
         const std::uint32_t none = static_cast<std::uint32_t>(stretch_count);
         std::uint32_t last = none;
@@ -124,14 +125,31 @@ struct Blob::Walk {
             ends[end_count++] = {of.leave, i, true};
         }
         if (last != none) ends[end_count++] = {stretches[last].enter, last, false};
+        sort_more();
+    }
+
+    /// As many again, in order behind those that are.
+    void sort_more()
+    {
+        constexpr std::size_t kFirst = 32;
         const auto before = [](const End& a, const End& b) { return a.t < b.t; };
-        if (end_count > 32) return std::sort(ends, ends + end_count, before);
-        for (std::size_t i = 1; i < end_count; ++i) {
+        const std::size_t first = sorted;
+        sorted = std::min(end_count, first + std::max(first, kFirst));
+        if (sorted < end_count) std::nth_element(ends + first, ends + sorted, ends + end_count, before);
+        if (sorted - first > kFirst) return std::sort(ends + first, ends + sorted, before);
+        for (std::size_t i = first + 1; i < sorted; ++i) {
             const End end = ends[i];
             std::size_t k = i;
-            for (; k > 0 && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
+            for (; k > first && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
             ends[k] = end;
         }
+    }
+
+    double last_end() const
+    {
+        double last = ends[sorted - 1].t;
+        for (std::size_t k = sorted; k < end_count; ++k) last = std::max(last, ends[k].t);
+        return last;
     }
 
     /// In the order of their numbers: sums are the same wherever the ray began.
