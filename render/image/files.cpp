@@ -36,6 +36,8 @@ void take_as_bytes(Picture& picture, bool premultiplied)
 {
     const auto channels = static_cast<std::size_t>(picture.channels);
     const bool grey = channels < 3, alpha = channels == 2 || channels == 4;
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(picture.samples.size());
     for (std::size_t i = 0; i < picture.samples.size(); i += channels) {
         std::array<int, 4> levels{};
         for (std::size_t c = 0; c < channels; ++c) {
@@ -45,10 +47,11 @@ void take_as_bytes(Picture& picture, bool premultiplied)
         }
         for (std::size_t c = 0; c < channels; ++c) {
             const bool times = alpha && !premultiplied && c + 1 < channels;
-            picture.samples[i + c] =
-                static_cast<float>(times ? (levels[c] * levels[channels - 1] + 127) / 255 : levels[c]) / 255.0f;
+            bytes.push_back(
+                static_cast<std::uint8_t>(times ? (levels[c] * levels[channels - 1] + 127) / 255 : levels[c]));
         }
     }
+    picture.samples = {std::move(bytes), 255};
     picture.bits = 8;
     picture.premultiplied = true;
 }
@@ -176,7 +179,7 @@ Picture Files::read_by_library(const std::string& path, const char* kind) const
     picture.srgb = result.srgb;
     const auto count = static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height) *
                        static_cast<std::size_t>(result.channels);
-    picture.samples.assign(result.samples, result.samples + count);
+    picture.samples = {std::vector<float>(result.samples, result.samples + count)};
     const std::string_view named = kind ? kind : "";
     if (named == "OpenEXR") picture.premultiplied = true;
     if (named == "TIFF" && picture.bits <= 16 && picture.channels <= 4) take_as_bytes(picture, result.premultiplied);

@@ -3,6 +3,7 @@
 #include "render/image/files.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace image {
@@ -68,8 +69,8 @@ HeightLevels read_heights(const std::string& path, const TransferCurve& decode)
     out.levels.reserve(std::size_t{out.width} * out.height);
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const float* p = picture.at(x, y);
-            const auto channel = [&](int i) { return decode.decode(stored(p[i], picture.bits)); };
+            const std::array<float, 4> p = picture.at(x, y);
+            const auto channel = [&](std::size_t i) { return decode.decode(stored(p[i], picture.bits)); };
             if (grey) {
                 out.levels.push_back(png && picture.channels == 1 && picture.bits <= 8 ? png_grey(channel(0))
                                                                                        : grey_level(channel(0)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/types.h"
 #include "render/light/projector.h"
 
 #include <cstdint>

@@ -122,11 +122,12 @@ bool anything_in_view(const scene::Description& description)
     all.operands = operands;
     scene::Object whole;
     whole.shape = all;
-    const plan::ObjectProbe probe(whole, description.global);
+    plan::ObjectProbe probe(whole, description.global);
+    const auto meets = [&](const csg::Ray& ray) { return probe.trace(ray.origin, ray.direction).hit; };
     constexpr int kWide = 96, kHigh = 72;
     for (int y = 0; y < kHigh; ++y)
         for (int x = 0; x < kWide; ++x)
-            if (probe.depth(camera_ray(camera, (x + 0.5) / kWide - 0.5, (y + 0.5) / kHigh - 0.5)) >= 0) return true;
+            if (meets(camera_ray(camera, (x + 0.5) / kWide - 0.5, (y + 0.5) / kHigh - 0.5))) return true;
     // What is too small for that: rays to points of each box.
     for (const scene::Object& object : *operands) {
         const csg::Aabb box = plan::described_extent(object);
@@ -134,7 +135,7 @@ bool anything_in_view(const scene::Description& description)
             const glm::dvec3 share = glm::dvec3(i % 5, i / 5 % 5, i / 25) / 4.0;
             glm::dvec2 at;
             if (!in_view(camera, box.lower + share * (box.upper - box.lower), at)) continue;
-            if (probe.depth(camera_ray(camera, at.x, at.y)) >= 0) return true;
+            if (meets(camera_ray(camera, at.x, at.y))) return true;
         }
     }
     return false;

@@ -54,7 +54,7 @@ bool ends_with_known_nodes(const light::Light& light)
 
 struct ProjectingObject final : light::Projector {
     explicit ProjectingObject(const scene::Object& object) : probe(object) {}
-    double depth(const csg::Ray& ray) const override { return probe.depth(ray); }
+    csg::World world() const override { return probe.world(); }
     ObjectProbe probe;
 };
 

@@ -23,10 +23,8 @@ public:
     };
     /// `direction` of unit length. The normal is raw: it is not turned toward the ray.
     Answer trace(const glm::dvec3& origin, const glm::dvec3& direction);
-    // These two may be asked from many threads at once.
-    bool inside(const glm::dvec3& point) const;
+    bool inside(const glm::dvec3& point) const;  ///< may be asked from many threads at once
     const csg::InsideIndex& inside_index() const { return inside_; }
-    double depth(const csg::Ray& ray) const;  ///< of the first crossing from 1e-4 on; negative: none
 
     csg::World world() const { return compiled_.world(); }  ///< of that object alone; lives as long as this
 

@@ -1,13 +1,16 @@
 #include "render/texture/image.h"
 
 #include "numbers/functions/functions.h"
-#include "numbers/remainder.h"
+#include "numbers/remainder_lanes.h"
+#include "render/texture/image_taps.h"
 #include "render/texture/points/angle.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <type_traits>
 
 namespace texture {
 namespace {
@@ -54,106 +57,180 @@ bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, gl
     return false;
 }
 
-/// Up to 16 texels and their shares.
-struct Taps {
-    struct Tap {
-        std::size_t texel;
-        double share;
-    };
-    std::array<Tap, 16> all;
-    std::size_t count = 0;
-};
-
-/// Columns or rows from `first` on, each with its share, to be crossed with the others.
-struct Line {
-    long first;
-    int count;
-    std::array<double, 4> share;
-};
-
-/// Cubic convolution over four neighbours; the results may overshoot.
-Line cubic_line(long i, double p)
+/// f(texel_of), where texel_of(i) is a texel's colour: a form for each way that pictures are kept.
+template <class F>
+auto with_texels(const Image& image, F&& f)
 {
-    const double q = 1.0 - p;
-    return {i - 2,
-            4,
-            {-p * q * q / 2.0, q * (q * (3.0 * p + 1.0) + 1.0) / 2.0, p * (p * (3.0 * q + 1.0) + 1.0) / 2.0,
-             -q * p * p / 2.0}};
+    if (!image.palette.empty()) return f([&](std::size_t texel) { return image.palette[image.place(texel)]; });
+    const image::Samples& samples = image.samples();
+    const auto channels = static_cast<std::size_t>(image.picture->channels);
+    const bool alpha = channels == 2 || channels == 4;
+    return std::visit(
+        [&](const auto& kept) {
+            const auto by = [&](auto&& shown) {
+                return f([&](std::size_t texel) -> scene::Color {
+                    const std::size_t first = texel * channels;
+                    float transmit = alpha ? 1.0f - samples.value(kept[first + channels - 1]) : 0.0f;
+                    for (const float more : image.transmit) transmit += more;
+                    const float red = shown(kept[first]);
+                    if (channels < 3) return {red, red, red, image.filter, transmit};
+                    return {red, shown(kept[first + 1]), shown(kept[first + 2]), image.filter, transmit};
+                });
+            };
+            if constexpr (!std::is_same_v<decltype(kept), const image::Samples::Floats&>)
+                if (!image.levels.empty()) return by([&](auto level) { return image.levels[level]; });
+            return by([&](auto level) { return samples.value(level); });
+        },
+        samples.kept);
 }
 
-std::size_t texel_at(const Image& image, long column, long row)
+/// At a place within the picture, interpolated (spec 4, 12.2).
+template <class Texels>
+scene::Color color_at(const Image& image, const glm::dvec2& place, Texels&& texel_of)
 {
-    const auto inside = [once = image.once](long v, std::uint32_t size) {
-        const auto n = static_cast<long>(size);
-        if (once) return std::clamp(v, 0L, n - 1);
-        if (v >= 0 && v < n) return v;  // nearly always: a division is what most of this would take
-        const long r = v % n;
-        return r < 0 ? r + n : r;
-    };
-    return static_cast<std::size_t>(inside(row, image.height)) * image.width +
-           static_cast<std::size_t>(inside(column, image.width));
+    const Taps taps = taps_at(image, place);
+    if (taps.count == 1) return texel_of(taps.all[0].texel);
+    std::array<double, 5> sum{};
+    for (std::size_t k = 0; k < taps.count; ++k) {
+        const scene::Color c = texel_of(taps.all[k].texel);
+        const double w = taps.all[k].share;
+        sum[0] += w * static_cast<double>(c.red);
+        sum[1] += w * static_cast<double>(c.green);
+        sum[2] += w * static_cast<double>(c.blue);
+        sum[3] += w * static_cast<double>(c.filter);
+        sum[4] += w * static_cast<double>(c.transmit);
+    }
+    return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
+            static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
-void cross(const Image& image, const Line& columns, const Line& rows, Taps& taps)
+/// The same by what the image_map shows: POV-Ray divides what it has interpolated, and `transmit all` counts
+/// (measured).
+template <class Texels>
+scene::Color shown_at(const Image& image, const glm::dvec2& place, Texels&& texel_of)
 {
-    // From the far corner on, as POV-Ray adds them: places in a palette are truncated, so that the last bit tells.
-    for (int r = rows.count - 1; r >= 0; --r)
-        for (int c = columns.count - 1; c >= 0; --c)
-            taps.all[taps.count++] = {texel_at(image, columns.first + c, rows.first + r),
-                                      columns.share[static_cast<std::size_t>(c)] *
-                                          rows.share[static_cast<std::size_t>(r)]};
+    scene::Color c = color_at(image, place, texel_of);
+    if (const float alpha = 1.0f - c.transmit; image.premultiplied && alpha != 0.0f) {
+        c.red /= alpha;
+        c.green /= alpha;
+        c.blue /= alpha;
+    }
+    return c;
 }
 
-/// Shares that fall with the squared distance from the texels' centres.
-void by_distance(double p, double q, Taps& taps)
+constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // where the picture is not (spec 4, 11)
+
+/// For places in the palette; without one 255 times red. Truncated.
+template <class Texels>
+int index_at(const Image& image, const glm::dvec2& place, Texels&& texel_of)
 {
-    const double u = 1.0 - p, v = 1.0 - q;
+    if (image.palette.empty()) return static_cast<int>(255.0f * color_at(image, place, texel_of).red);
+    const Taps taps = taps_at(image, place);
     double sum = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double across = k % 2 == 0 ? u : p, down = k < 2 ? v : q, distance = across * across + down * down;
-        if (distance == 0.0) {  // upon a centre
-            for (std::size_t other = 0; other < 4; ++other) taps.all[other].share = other == k ? 1.0 : 0.0;
-            return;
-        }
-        taps.all[k].share = 1.0 / distance;
-        sum += taps.all[k].share;
-    }
-    for (std::size_t k = 0; k < 4; ++k) taps.all[k].share /= sum;
+    for (std::size_t k = 0; k < taps.count; ++k)
+        sum += taps.all[k].share * static_cast<double>(image.place(taps.all[k].texel));
+    return static_cast<int>(sum);
 }
 
-Taps taps_at(const Image& image, const glm::dvec2& place)
+template <class Texels>
+double value_at(const Image& image, const glm::dvec2& place, Texels&& texel_of)
 {
-    Taps taps;
-    if (image.interpolation == Image::Interpolation::None) {
-        taps.all[taps.count++] = {texel_at(image, static_cast<long>(place.x), static_cast<long>(place.y)), 1.0};
-        return taps;
-    }
-    const glm::dvec2 at = place + 0.5;
-    const auto i = static_cast<long>(at.x), j = static_cast<long>(at.y);
-    const double p = at.x - static_cast<double>(i), q = at.y - static_cast<double>(j);
-    if (image.interpolation == Image::Interpolation::Bicubic) {
-        cross(image, cubic_line(i, p), cubic_line(j, q), taps);
-        return taps;
-    }
-    cross(image, {i - 1, 2, {1.0 - p, p}}, {j - 1, 2, {1.0 - q, q}}, taps);
-    if (image.interpolation == Image::Interpolation::NormalizedDistance) by_distance(p, q, taps);
-    return taps;
+    const scene::Color c = color_at(image, place, texel_of);
+    const float v = image.value == Image::Value::Grey  ? scene::grey(c.rgb())
+                    : image.value == Image::Value::Red ? c.red
+                                                       : c.transmit;
+    return std::clamp(static_cast<double>(v), 0.0, 1.0);
 }
 
-scene::Color texel_color(const Image& image, std::size_t texel)
-{
-    if (!image.palette.empty()) return image.palette[image.places[texel]];
-    const glm::vec4& t = image.texels[texel];
-    return {t.x, t.y, t.z, image.filter, t.w};
-}
-
-double height_at(const Image& image, glm::dvec2 place)
+template <class Texels>
+double height_at(const Image& image, glm::dvec2 place, Texels&& texel_of)
 {
     // Neighbours beyond an edge are those of the other side, with `once` too.
     place.x += place.x < 0.0 ? image.width : place.x >= image.width ? -static_cast<double>(image.width) : 0.0;
     place.y += place.y < 0.0 ? image.height : place.y >= image.height ? -static_cast<double>(image.height) : 0.0;
-    if (image.by_place) return image_index(image, place);
-    return static_cast<double>(scene::grey(image_color(image, place).rgb()));
+    if (image.by_place) return index_at(image, place, texel_of);
+    return static_cast<double>(scene::grey(color_at(image, place, texel_of).rgb()));
+}
+
+/// Places in the picture, in texels: image_place() of each.
+struct Places {
+    Values x, y;
+    std::uint64_t there = 0;  ///< bit i: the picture is at point i
+
+    glm::dvec2 at(std::size_t i) const { return {x[i], y[i]}; }
+    /// f(i) where the picture is, otherwise(i) where it is not.
+    template <class F, class Otherwise>
+    void each(std::size_t count, F&& f, Otherwise&& otherwise) const
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            if (there >> i & 1) f(i);
+            else otherwise(i);
+    }
+};
+
+Double wrapped(const Double& v, double size)
+{
+    const Double r = numbers::fmod(v, Double(size));
+    return xsimd::select(r < Double(0.0), r + Double(size), r);
+}
+
+/// A planar picture's.
+void find_planar(const Image& image, const Points& p, Places& out)
+{
+    const glm::dvec2 real{image.width, image.height}, size = real * image.repeat, move = kTiny - image.offset * real;
+    const Double zero(0.0), one(1.0), sx(size.x), sy(size.y);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double px = get(p.x, i), py = get(p.y, i);
+        const Double x = numbers::fmod(px * sx, sx) + Double(move.x), y = numbers::fmod(py * sy, sy) + Double(move.y);
+        auto there = (x - x == zero) & (y - y == zero);  // a number
+        if (image.once)
+            there = there & !((px < zero) | (px > one) | (py < zero) | (py > one)) &
+                    !((x < zero) | (y < zero) | (x >= Double(real.x)) | (y >= Double(real.y)));
+        wrapped(x, real.x).store_aligned(out.x.data() + i);
+        wrapped(zero - y, real.y).store_aligned(out.y.data() + i);
+        out.there |= std::uint64_t{csg::lanes::mask(there)} << i;
+    }
+}
+
+Places places_of(const Image& image, const Points& p)
+{
+    Places out;
+    if (image.projection == Image::Projection::Planar) {
+        find_planar(image, p, out);
+        return out;
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        glm::dvec2 place{0.0};
+        out.there |= std::uint64_t{image_place(image, p.at(i), place)} << i;
+        out.x[i] = place.x;
+        out.y[i] = place.y;
+    }
+    return out;
+}
+
+/// A normal that the heights at a place and at its two neighbours bend, a double or lanes of them.
+template <class T>
+void bend_by_heights(const T& size, const T& here, const T& left, const T& right, T& nx, T& ny, T& nz)
+{
+    using csg::lanes::choose;
+    using csg::lanes::root_of;
+    const T zero(0.0), one(1.0), two(2.0);
+    const auto scale = [&](const T& x, const T& y, const T& z) { return one / root_of(x * x + y * y + z * z); };
+    const T across = csg::lanes::negated(size) * (right - left), down = size * (two * here - left - right),
+            bump = scale(across, two, down);
+    // Beside the normal and the vertical; a vertical normal has one of the picture's own.
+    const T cx = ny * zero - one * nz, cy = nz * zero - zero * nx, cz = nx * one - zero * ny;
+    const auto upright = root_of(cx * cx + cy * cy + cz * cz) < T(kTiny);
+    const T unit = scale(cx, cy, cz);
+    const T ux = choose(upright, zero, nx), uy = choose(upright, choose(ny < zero, zero - one, one), ny),
+            uz = choose(upright, zero, nz);
+    const T xx = choose(upright, one, cx * unit), xy = choose(upright, zero, cy * unit),
+            xz = choose(upright, zero, cz * unit);
+    const T zx = xy * uz - uy * xz, zy = xz * ux - uz * xx, zz = xx * uy - ux * xy, length = scale(zx, zy, zz);
+    const T bx = across * bump, by = two * bump, bz = down * bump;
+    nx = bx * xx + by * ux - bz * (zx * length);
+    ny = bx * xy + by * uy - bz * (zy * length);
+    nz = bx * xz + by * uz - bz * (zz * length);
 }
 
 }  // namespace
@@ -170,75 +247,91 @@ bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place)
     return true;
 }
 
-scene::Color image_color(const Image& image, const glm::dvec2& place)
+scene::Color image_texel(const Image& image, std::size_t texel)
 {
-    const Taps taps = taps_at(image, place);
-    if (taps.count == 1) return texel_color(image, taps.all[0].texel);
-    std::array<double, 5> sum{};
-    for (std::size_t k = 0; k < taps.count; ++k) {
-        const scene::Color c = texel_color(image, taps.all[k].texel);
-        const double w = taps.all[k].share;
-        sum[0] += w * static_cast<double>(c.red);
-        sum[1] += w * static_cast<double>(c.green);
-        sum[2] += w * static_cast<double>(c.blue);
-        sum[3] += w * static_cast<double>(c.filter);
-        sum[4] += w * static_cast<double>(c.transmit);
-    }
-    return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
-            static_cast<float>(sum[3]), static_cast<float>(sum[4])};
+    return with_texels(image, [&](auto&& texel_of) { return texel_of(texel); });
 }
 
 scene::Color image_shown(const Image& image, const glm::dvec3& p)
 {
-    constexpr scene::Color kNoColor{1, 1, 1, 0, 1};  // spec 4, 11
     glm::dvec2 place;
     if (!image_place(image, p, place)) return kNoColor;
-    scene::Color c = image_color(image, place);
-    // POV-Ray divides what it has interpolated, and `transmit all` counts (measured).
-    if (const float alpha = 1.0f - c.transmit; image.premultiplied && alpha != 0.0f) {
-        c.red /= alpha;
-        c.green /= alpha;
-        c.blue /= alpha;
-    }
-    return c;
+    return with_texels(image, [&](auto&& texel_of) { return shown_at(image, place, texel_of); });
+}
+
+void images_shown(const Image& image, const Points& p, ColorPoints& out)
+{
+    const Places places = places_of(image, p);
+    with_texels(image, [&](auto&& texel_of) {
+        places.each(
+            p.size(), [&](std::size_t i) { out.set(i, shown_at(image, places.at(i), texel_of)); },
+            [&](std::size_t i) { out.set(i, kNoColor); });
+    });
 }
 
 int image_index(const Image& image, const glm::dvec2& place)
 {
-    if (image.palette.empty()) return static_cast<int>(255.0f * image_color(image, place).red);
-    const Taps taps = taps_at(image, place);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < taps.count; ++k) sum += taps.all[k].share * image.places[taps.all[k].texel];
-    return static_cast<int>(sum);
+    return with_texels(image, [&](auto&& texel_of) { return index_at(image, place, texel_of); });
 }
 
 double image_value(const Image& image, const glm::dvec3& p)
 {
     glm::dvec2 place;
     if (!image_place(image, p, place)) return 0.0;
-    const scene::Color c = image_color(image, place);
-    const float v = image.value == Image::Value::Grey  ? scene::grey(c.rgb())
-                    : image.value == Image::Value::Red ? c.red
-                                                       : c.transmit;
-    return std::clamp(static_cast<double>(v), 0.0, 1.0);
+    return with_texels(image, [&](auto&& texel_of) { return value_at(image, place, texel_of); });
+}
+
+void image_values(const Image& image, const Points& p, Values& out)
+{
+    const Places places = places_of(image, p);
+    with_texels(image, [&](auto&& texel_of) {
+        places.each(
+            p.size(), [&](std::size_t i) { out[i] = value_at(image, places.at(i), texel_of); },
+            [&](std::size_t i) { out[i] = 0.0; });
+    });
 }
 
 glm::dvec3 image_bump(const Image& image, double size, const glm::dvec3& n, const glm::dvec3& p)
 {
     glm::dvec2 place;
     if (!image_place(image, p, place)) return n;
-    const double here = height_at(image, place), left = height_at(image, place + glm::dvec2(-1, 1)),
-                 right = height_at(image, place + glm::dvec2(1, 1));
-    const glm::dvec3 bump = glm::normalize(glm::dvec3(-size * (right - left), 2.0, size * (2.0 * here - left - right)));
-    glm::dvec3 up = n, x = glm::cross(n, {0, 1, 0});
-    if (glm::length(x) < kTiny) {
-        up = {0, n.y < 0.0 ? -1 : 1, 0};
-        x = {1, 0, 0};
-    } else {
-        x = glm::normalize(x);
+    glm::dvec3 out = n;
+    with_texels(image, [&](auto&& texel_of) {
+        const auto height = [&](double right, double down) {
+            return height_at(image, place + glm::dvec2(right, down), texel_of);
+        };
+        bend_by_heights(size, height(0, 0), height(-1, 1), height(1, 1), out.x, out.y, out.z);
+    });
+    return out;
+}
+
+void image_bumps(const Image& image, double size, const Points& p, Points& n)
+{
+    const Places places = places_of(image, p);
+    Values here{}, left{}, right{};
+    with_texels(image, [&](auto&& texel_of) {
+        const auto height = [&](const glm::dvec2& place) { return height_at(image, place, texel_of); };
+        places.each(
+            p.size(),
+            [&](std::size_t i) {
+                const glm::dvec2 place = places.at(i);
+                here[i] = height(place);
+                left[i] = height(place + glm::dvec2(-1, 1));
+                right[i] = height(place + glm::dvec2(1, 1));
+            },
+            [](std::size_t) {});
+    });
+    const Points plain = n;
+    for (std::size_t i = 0; i < n.size(); i += kLanes) {
+        Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i);
+        bend_by_heights(Double(size), get(here, i), get(left, i), get(right, i), x, y, z);
+        x.store_aligned(n.x.data() + i);
+        y.store_aligned(n.y.data() + i);
+        z.store_aligned(n.z.data() + i);
     }
-    const glm::dvec3 z = glm::normalize(glm::cross(x, up));
-    return bump.x * x + bump.y * up - bump.z * z;
+    places.each(
+        n.size(), [](std::size_t) {}, [&](std::size_t i) { n.set(i, plain.at(i)); });
+    n.pad();
 }
 
 }  // namespace texture

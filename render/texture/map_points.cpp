@@ -1,6 +1,7 @@
 #include "render/texture/map_points.h"
 
 #include "numbers/lane_arithmetic.h"
+#include "numbers/remainder_lanes.h"
 #include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
@@ -72,28 +73,14 @@ void mix_points(const float* entries, const BlendPoints& blends, std::size_t cou
 }
 #endif
 
-/// Frequency and phase, and the remainder by kModulus; false where that takes the library's own for some value.
-bool fold(Double& v, const Pattern& pattern)
+/// Frequency and phase, and the remainder by kModulus.
+Double folded(const Double& v, const Pattern& pattern)
 {
-    const Double modulus(kModulus), zero(0.0), moved = v * Double(pattern.frequency) + Double(pattern.phase),
-                                               size = xsimd::abs(moved);
-    constexpr std::uint32_t kAll = (1u << kLanes) - 1;
-    Double rest;
-    if (csg::lanes::mask(size < Double(2.0 * kModulus)) == kAll) {
-        rest = xsimd::select(size < modulus, size, size - modulus);
-    } else {
-#if defined(__FMA__)
-        // Exact: the product is not rounded, and the quotient is one off at most.
-        if (csg::lanes::mask(size < Double(0x1p39)) != kAll) return false;
-        const Double q = xsimd::trunc(size / modulus), r = csg::lanes::fused_rest(size, q, modulus);
-        const Double raised = xsimd::select(r < zero, r + modulus, r);
-        rest = xsimd::select(raised >= modulus, raised - modulus, raised);
-#else
-        return false;
-#endif
-    }
-    v = rest | (moved & Double(-0.0));  // its sign
-    return true;
+    const Double modulus(kModulus), moved = v * Double(pattern.frequency) + Double(pattern.phase),
+                                    size = xsimd::abs(moved);
+    // A difference is exact where it suffices, and mostly it does.
+    if (csg::lanes::mask(size < Double(2.0 * kModulus)) != (1u << kLanes) - 1) return numbers::fmod(moved, modulus);
+    return csg::lanes::signed_as(xsimd::select(size < modulus, size, size - modulus), moved);
 }
 
 }  // namespace
@@ -104,10 +91,7 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
     const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);
-        if (pattern.folds && !fold(v, pattern)) {
-            for (std::size_t k = i; k < std::min(i + kLanes, count); ++k) values[k] = waved(pattern, values[k]);
-            continue;
-        }
+        if (pattern.folds) v = folded(v, pattern);
         v = xsimd::select(v < zero, v - xsimd::floor(v), v);
         if (pattern.wave == WaveForm::Sine) {
             v = (one + cycle(v)) / two;

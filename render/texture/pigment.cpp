@@ -6,9 +6,16 @@ namespace texture {
 
 Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, double value)
 {
+    constexpr std::uint32_t kAtOnce = 16;  // maps have up to 256 entries
     const std::uint32_t last = first + count - 1;
     if (value >= static_cast<double>(set.keys[last])) return {last, last, 0.0};
     std::uint32_t i = first;
+    const auto all_below = [&](std::uint32_t from) {  // in registers
+        std::uint32_t below = 0;
+        for (std::uint32_t k = 0; k < kAtOnce; ++k) below += static_cast<double>(set.keys[from + k]) < value ? 1 : 0;
+        return below == kAtOnce;
+    };
+    while (last - i >= kAtOnce && all_below(i)) i += kAtOnce;
     while (static_cast<double>(set.keys[i]) < value) ++i;  // ends: the last key is above; NaN stops at the first
     const auto upper_key = static_cast<double>(set.keys[i]);
     if (i == first || value == upper_key || value != value) return {i, i, 0.0};

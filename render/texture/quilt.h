@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/lane_arithmetic.h"
+
 #include <glm/glm.hpp>
 
 #include <cmath>
@@ -7,16 +9,25 @@
 /// What the pattern and the normal `quilted` share (spec 4, 5.2).
 namespace texture {
 
-/// Offset from the middle of the unit cell. Negative integers belong to the cell below, as in POV-Ray.
+/// One component's offset from the middle of the unit cell. Negative integers belong to the cell below, as in POV-Ray.
+template <class T>
+inline T quilt_offset(const T& v)
+{
+    using std::floor;
+    const T cell = csg::lanes::choose(v >= T(0.0), floor(v), T(0.0) - floor(T(0.0) - v) - T(1.0));
+    return v - cell - T(0.5);
+}
 inline glm::dvec3 quilt_offset(const glm::dvec3& p)
 {
-    const auto cell = [](double v) { return v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0; };
-    return {p.x - cell(p.x) - 0.5, p.y - cell(p.y) - 0.5, p.z - cell(p.z) - 0.5};
+    return {quilt_offset(p.x), quilt_offset(p.y), quilt_offset(p.z)};
 }
 
-inline double quilt_height(double t, double control0, double control1)
+template <class T>
+inline T quilt_height(const T& t, double control0, double control1)
 {
-    return 1.154700538 * (t * t * t + 3.0 * t * (1.0 - t) * (1.0 - t) * control0 + 3.0 * t * t * (1.0 - t) * control1);
+    const T one(1.0), three(3.0);
+    return T(1.154700538) *
+           (t * t * t + three * t * (one - t) * (one - t) * T(control0) + three * t * t * (one - t) * T(control1));
 }
 
 }  // namespace texture

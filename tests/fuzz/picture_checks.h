@@ -10,7 +10,8 @@ namespace fuzz {
 inline void check_picture(const image::Picture& picture)
 {
     require(picture.width > 0 && picture.height > 0 && picture.channels > 0, "a picture without pixels");
-    require(picture.samples.size() == picture.count() * static_cast<std::size_t>(picture.channels),
+    require(!picture.indices.empty() ||
+                picture.samples.size() == picture.count() * static_cast<std::size_t>(picture.channels),
             "samples do not fit the size");
     require(picture.indices.empty() || picture.indices.size() == picture.count(), "places do not fit the size");
     require(picture.palette.size() % 4 == 0 && picture.palette.empty() == picture.indices.empty(),

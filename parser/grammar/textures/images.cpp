@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 /// Blocks that name a picture or a volume; its content is read with them.
 namespace parser {
@@ -75,14 +76,10 @@ std::shared_ptr<const image::Picture> picture_of(SceneBuilder& build, const scen
     picture->height = static_cast<int>(rows);
     picture->bits = 16;
     picture->channels = static_cast<int>(sampled_channels(*called));
-    const auto levels =
-        sampled_levels(build, called, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
-    picture->samples.resize(
-        picture->count() *
-        sampled_channels(*called));  // stays 0 where the function asks what is not drawn yet; that was told
-    if (levels)
-        std::transform(levels->begin(), levels->end(), picture->samples.begin(),
-                       [](std::uint16_t level) { return static_cast<float>(level) / 65535.0f; });
+    auto levels = sampled_levels(build, called, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
+    // 0 where the function asks what is not drawn yet; that was told
+    if (!levels) levels.emplace(picture->count() * sampled_channels(*called));
+    picture->samples = {std::move(*levels), 65535};
     return picture;
 }
 

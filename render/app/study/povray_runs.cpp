@@ -80,7 +80,8 @@ std::optional<PovrayRuns::Found> PovrayRuns::render(const std::string& scene, co
         out.picture.height = read.height;
         for (int y = 0; y < read.height; ++y)
             for (int x = 0; x < read.width; ++x)
-                for (int c = 0; c < 3; ++c) out.picture.values.push_back(read.at(x, y)[read.channels < 3 ? 0 : c]);
+                for (std::size_t c = 0; c < 3; ++c)
+                    out.picture.values.push_back(read.at(x, y)[read.channels < 3 ? 0 : c]);
         return out;
     } catch (const image::FileError&) {
         return {};

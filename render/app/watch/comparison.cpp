@@ -73,7 +73,7 @@ void Comparison::show(const std::string& with, const std::string& path)
     bytes.reserve(3 * picture.count());
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)
-            for (int c = 0; c < 3; ++c) {
+            for (std::size_t c = 0; c < 3; ++c) {
                 const float value = picture.at(x, y)[picture.channels < 3 ? 0 : c];
                 bytes += static_cast<char>(image::quantised(value, 8));
             }

@@ -115,7 +115,7 @@ Picture decode_gif(const ByteList& bytes)
     // In the file's order of rows even if they are interlaced, as POV-Ray takes them (spec 4, 12.10).
     for (std::size_t y = 0; y < static_cast<std::size_t>(out.height); ++y)
         decoder.read_row(&out.indices[y * width], width);
-    expand_palette(out);
+    finish_palette(out);
     return out;
 }
 

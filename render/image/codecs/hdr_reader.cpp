@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace image {
 namespace {
@@ -113,16 +115,18 @@ Picture decode_hdr(const ByteList& bytes)
     out.bits = 32;
     // A packed row has at least two bytes a channel for 127 pixels.
     if (out.count() / 127 > bytes.size()) throw FileError("the Radiance file is broken (it ends too early)");
-    out.samples.reserve(3 * out.count());
+    std::vector<float> samples;
+    samples.reserve(3 * out.count());
     RowReader rows(bytes, bytes.size() - header.rest);
     std::vector<std::uint8_t> row(kPixel * static_cast<std::size_t>(out.width));
     for (int y = 0; y < out.height; ++y) {
         rows.read(row);
         for (std::size_t i = 0; i < row.size(); i += kPixel)
             for (std::size_t c = 0; c < 3; ++c)  // the middle of what is rounded to a mantissa (spec 4, 12.10)
-                out.samples.push_back(
+                samples.push_back(
                     row[i + 3] == 0 ? 0.0f : std::ldexp(static_cast<float>(row[i + c]) + 0.5f, row[i + 3] - 136));
     }
+    out.samples = {std::move(samples)};
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h wants it first
 #include <jpeglib.h>
+#include <utility>
 
 namespace image {
 namespace {
@@ -82,8 +83,7 @@ std::optional<Picture> decode_jpeg(const ByteList& bytes)
         throw FileError("the JPEG file is broken (it ends too early)");
     decoder.samples.resize(out.count() * static_cast<std::size_t>(out.channels));
     if (!decoder.decode()) throw broken(decoder);
-    out.samples.reserve(decoder.samples.size());
-    for (const std::uint8_t level : decoder.samples) out.samples.push_back(static_cast<float>(level) / 255.0f);
+    out.samples = {std::move(decoder.samples), 255};
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <csetjmp>
 #include <cstdio>
+#include <utility>
 
 namespace image {
 namespace {
@@ -102,7 +103,7 @@ void take_palette(PngDecoder& decoder, const Entries& e, Picture& picture)
     png_bytepp rows = png_get_rows(decoder.png(), decoder.info());
     for (png_uint_32 y = 0; y < e.height; ++y)
         picture.indices.insert(picture.indices.end(), rows[y], rows[y] + e.width);
-    expand_palette(picture);
+    finish_palette(picture);
 }
 
 /// Samples of Level's size; a clear level of grey makes a channel of alpha.
@@ -111,16 +112,18 @@ void take_samples(PngDecoder& decoder, const Entries& e, Picture& picture)
 {
     const int stored = png_get_channels(decoder.png(), decoder.info());
     picture.channels = stored + (e.has_clear ? 1 : 0);
-    const float most = static_cast<float>((1 << e.depth) - 1);
-    picture.samples.reserve(picture.count() * static_cast<std::size_t>(picture.channels));
+    const std::uint32_t most = (1u << e.depth) - 1;
+    std::vector<Level> levels;
+    levels.reserve(picture.count() * static_cast<std::size_t>(picture.channels));
     png_bytepp rows = png_get_rows(decoder.png(), decoder.info());
     for (png_uint_32 y = 0; y < e.height; ++y) {
         const Level* p = reinterpret_cast<const Level*>(rows[y]);  // libpng aligns its rows
         for (png_uint_32 x = 0; x < e.width; ++x, p += stored) {
-            for (int c = 0; c < stored; ++c) picture.samples.push_back(static_cast<float>(p[c]) / most);
-            if (e.has_clear) picture.samples.push_back(*p == e.clear ? 0.0f : 1.0f);
+            levels.insert(levels.end(), p, p + stored);
+            if (e.has_clear) levels.push_back(*p == e.clear ? Level{0} : static_cast<Level>(most));
         }
     }
+    picture.samples = {std::move(levels), most};
 }
 
 std::size_t number_at(const ByteList& bytes, std::size_t at)

@@ -1,6 +1,8 @@
 #include "render/image/codecs/direct_readers.h"
 
 #include <cctype>
+#include <utility>
+#include <vector>
 
 namespace image {
 namespace {
@@ -54,18 +56,24 @@ Picture decode_pnm(const ByteList& bytes)
     if (out.width == 0 || out.height == 0 || most == 0 || most > 65535) throw FileError("the PPM file is broken");
     if (out.count() > bytes.size() || count * size > bytes.size())
         throw FileError("the PPM file is broken (it ends too early)");
-    // A share of the most, not of 255: POV-Ray rounds to no level (spec 4, 12.10).
-    const auto put = [&](int level) { out.samples.push_back(static_cast<float>(level) / static_cast<float>(most)); };
-    out.samples.reserve(count);
+    // Shares of the most, not of 255: POV-Ray rounds to no level (spec 4, 12.10).
     if (is_text(bytes)) {
-        for (std::size_t i = 0; i < count; ++i) put(numbers.next());
+        std::vector<float> shares(count);
+        for (float& share : shares) share = static_cast<float>(numbers.next()) / static_cast<float>(most);
+        out.samples = {std::move(shares)};
         return out;
     }
     const std::size_t first = numbers.at() + 1;  // one white space
     if (first > bytes.size() || bytes.size() - first < count * size)
         throw FileError("the PPM file is broken (it ends too early)");
-    for (std::size_t i = first; i < first + count * size; i += size)
-        put(size == 1 ? bytes[i] : bytes[i] << 8 | bytes[i + 1]);
+    const std::uint8_t* const at = &bytes[first];
+    if (size == 1) {
+        out.samples = {std::vector<std::uint8_t>(at, at + count), static_cast<std::uint32_t>(most)};
+        return out;
+    }
+    std::vector<std::uint16_t> levels(count);
+    for (std::size_t i = 0; i < count; ++i) levels[i] = static_cast<std::uint16_t>(at[2 * i] << 8 | at[2 * i + 1]);
+    out.samples = {std::move(levels), static_cast<std::uint32_t>(most)};
     return out;
 }
 

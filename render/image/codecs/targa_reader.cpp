@@ -1,12 +1,15 @@
 #include "render/image/codecs/direct_readers.h"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace image {
 namespace {
 
 /// 18 bytes, an identification, the palette, the pixels.
 constexpr std::size_t kHeader = 18;
+constexpr std::uint8_t kMostLevel = 255;
 
 /// Kinds of pictures; 8 is added where runs are packed.
 enum Kind : std::uint8_t { kPalette = 1, kColors = 2, kGreys = 3, kPacked = 8 };
@@ -19,18 +22,18 @@ std::uint32_t pair_at(const ByteList& bytes, std::size_t at)
 
 /// One colour of `bits`: blue, green, red and alpha of 8 bits, or 5 bits of each in two bytes, which stand for the
 /// upper bits of a byte whose others are 0; the sixteenth bit is alpha (spec 4, 12.10).
-std::array<float, 4> color_at(const ByteList& bytes, std::size_t at, std::size_t bits)
+std::array<std::uint8_t, 4> color_at(const ByteList& bytes, std::size_t at, std::size_t bits)
 {
-    std::array<float, 4> color{0.0f, 0.0f, 0.0f, 1.0f};
+    std::array<std::uint8_t, 4> color{0, 0, 0, kMostLevel};
     if (bits <= 16) {
         const std::uint32_t packed = pair_at(bytes, at);
-        for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>((packed >> (10 - 5 * c) & 31u) << 3) / 255.0f;
-        if (bits == 16) color[3] = packed & 0x8000u ? 1.0f : 0.0f;
+        for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<std::uint8_t>((packed >> (10 - 5 * c) & 31u) << 3);
+        if (bits == 16) color[3] = packed & 0x8000u ? kMostLevel : 0;
         return color;
     }
     if (bytes.size() < bits / 8 || at > bytes.size() - bits / 8) throw FileError("the Targa file ends too early");
-    for (std::size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(bytes[at + 2 - c]) / 255.0f;
-    if (bits == 32) color[3] = static_cast<float>(bytes[at + 3]) / 255.0f;
+    for (std::size_t c = 0; c < 3; ++c) color[c] = bytes[at + 2 - c];
+    if (bits == 32) color[3] = bytes[at + 3];
     return color;
 }
 
@@ -97,24 +100,29 @@ Picture decode_targa(const ByteList& bytes)
         const std::size_t first = pair_at(bytes, 3), colors = pair_at(bytes, 5), bits = bytes[7];
         out.palette.assign(4 * first, 0.0f);  // places below the first stored one
         for (std::size_t i = 0; i < colors; ++i, at += bytes_of(bits)) {
-            const auto color = color_at(bytes, at, bits);
-            out.palette.insert(out.palette.end(), color.begin(), color.end());
+            for (const std::uint8_t level : color_at(bytes, at, bits))
+                out.palette.push_back(static_cast<float>(level) / static_cast<float>(kMostLevel));
         }
     }
     const std::size_t bits = bytes[16], size = bytes_of(bits);
     const ByteList stored = unpacked(bytes, at, out.count(), size, packed);
     out.channels = bits == 8 ? 1 : bits == 16 || bits == 32 ? 4 : 3;
+    std::vector<std::uint8_t> levels;  // or places in the palette
+    levels.reserve(out.count() * static_cast<std::size_t>(out.channels));
     for (const std::size_t place : places(wide, high, bytes[17])) {
-        if (bytes[1] == 1) {
-            out.indices.push_back(stored[place]);
-        } else if (bits == 8) {
-            out.samples.push_back(static_cast<float>(stored[place]) / 255.0f);
+        if (bits == 8) {
+            levels.push_back(stored[place]);
         } else {
             const auto color = color_at(stored, place * size, bits);
-            out.samples.insert(out.samples.end(), color.begin(), color.begin() + out.channels);
+            levels.insert(levels.end(), color.begin(), color.begin() + out.channels);
         }
     }
-    if (bytes[1] == 1) expand_palette(out);
+    if (bytes[1] == 1) {
+        out.indices = std::move(levels);
+        finish_palette(out);
+    } else {
+        out.samples = {std::move(levels), kMostLevel};
+    }
     return out;
 }
 

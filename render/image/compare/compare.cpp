@@ -21,7 +21,7 @@ using Pixel = std::array<float, 4>;
 
 Pixel pixel_of(const Picture& picture, int x, int y)
 {
-    const float* p = picture.at(x, y);
+    const std::array<float, 4> p = picture.at(x, y);
     Pixel out{0, 0, 0, kScale};
     for (std::size_t c = 0; c < 3; ++c) out[c] = kScale * (picture.channels < 3 ? p[0] : p[c]);
     if (picture.channels == 2) out[3] = kScale * p[1];

@@ -29,6 +29,8 @@ class Transcoder {
 public:
     Transcoder() = default;
     Transcoder(const TransferCurve& working, const TransferCurve& file);
+    /// Whether every value stays as it is.
+    bool keeps() const { return working_ == TransferCurve() && file_ == TransferCurve(); }
     float to_file(float working) const { return file_.encode(working_.decode(working)); }
     float to_working(float file) const { return working_.encode(file_.decode(file)); }
 

@@ -1,4 +1,5 @@
 #include "numbers/lanes.h"
+#include "render/kernel/context/projected.h"
 #include "render/kernel/light/area_light.h"
 #include "numbers/random_lanes.h"
 
@@ -112,10 +113,12 @@ void AreaLight::make_rays()
 /// Samples that are not seen through the light's projector get a distance of -infinity; the others end there.
 void AreaLight::project()
 {
-    for (std::size_t n = 0; n < samples_; ++n) {
-        const double depth = light_.projector->depth(scratch_.shadow.rays.ray(static_cast<int>(n)));
+    csg::RayTile& rays = scratch_.shadow.rays;
+    const auto from = rays.t_min;
+    projected_depths(*light_.projector, rays, [&](std::size_t n, double depth) {
         distance_[n] = depth < 0.0 || depth >= distance_[n] ? -csg::kInfinity : depth;
-    }
+    });
+    rays.t_min = from;
 }
 
 }  // namespace trace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/kernel/context/projected.h"
 #include "render/kernel/light/area_light.h"
 #include "render/kernel/light/surface_filters.h"
 #include "render/kernel/extinction/shadow_media.h"
@@ -160,9 +161,18 @@ private:
     /// The points that see a light through its projector, where their shadow rays end then; the others are dark.
     HitMask project(const light::Light& light, HitMask asking)
     {
+        if (asking == 0) return 0;
         HitMask seen = 0;
+        csg::RayTile& rays = scratch_.shadow.rays;
+        rays.count = 0;
+        rays.common_origin = false;
         for_each_hit(asking, [&](std::size_t k) {
-            const double depth = light.projector->depth({scratch_.hits.point(k), scratch_.lamp.light.direction(k)});
+            const auto ray = static_cast<std::size_t>(rays.count++);
+            scratch_.shadow.lane[ray] = static_cast<std::uint8_t>(k);
+            rays.set(ray, {scratch_.hits.point(k), scratch_.lamp.light.direction(k)}, 0.0, 0.0);
+        });
+        projected_depths(*light.projector, rays, [&](std::size_t ray, double depth) {
+            const std::size_t k = scratch_.shadow.lane[ray];
             if (depth < 0.0 || depth >= scratch_.lamp.light.distance[k]) return sink_.arrive(k, glm::vec3(0));
             scratch_.lamp.light.distance[k] = depth;
             seen |= HitMask{1} << k;

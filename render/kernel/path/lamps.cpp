@@ -1,5 +1,6 @@
 #include "render/kernel/path/lamps.h"
 
+#include "render/kernel/context/projected.h"
 #include "render/kernel/path/directions.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/plan/shines_on.h"
@@ -59,7 +60,7 @@ LampSample sample_lamp(const Context& context, const HitPlace& hit, const Bsdf& 
     out.weight = response(light, out.lit, bsdf) * static_cast<float>(sum / chances[chosen]);
     if (black(out.weight)) return out;
     if (light.projector) {
-        const double depth = light.projector->depth({hit.point, out.lit.direction});
+        const double depth = projected_depth(*light.projector, {hit.point, out.lit.direction});
         if (depth < 0.0 || depth >= out.lit.distance) return out;
         out.lit.distance = depth;
     }

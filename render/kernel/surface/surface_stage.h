@@ -193,7 +193,7 @@ private:
         for (std::size_t g = 0; g < own_.mapped_count; ++g) {
             const MappedGroup& group = own_.mapped[g];
             if (has(group.hits, k))
-                return own_.maps.shade(context_, batch_, hit, group.place, scratch_.patterns.points.at(k), out);
+                return own_.maps.shade(context_, batch_, hit, group.place, scratch_.patterns.points, k, out);
         }
         PrefetchedPigments prefetched;
         if (find_prefetched(k, prefetched) && prefetched.texture == texture) hit.prefetched = &prefetched;

@@ -150,6 +150,7 @@ void TextureMaps::look_up_layers(const Context& context, std::size_t at, const S
     HitMask open = all;
     for (std::uint32_t depth = 0; depth < texture.count && open != 0; ++depth) {
         const texture::Layer& layer = set.layers[texture.first + texture.count - 1 - depth];
+        textures_[at].asks_point |= seen.map == nullptr && layer.normal != texture::kNone;
         LayerPoints& to = layers_[textures_[at].first + depth];
         if (open == all) {
             pigment_colors(set, layer.pigment, seen.points, seen.around, to.colors);
@@ -184,8 +185,8 @@ void TextureMaps::bend(const texture::TextureSet& set, std::uint32_t normal, con
     });
 }
 
-void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const glm::dvec3& p,
-                        ColorSlot out) const
+void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at,
+                        const texture::Points& points, std::size_t k, ColorSlot out) const
 {
     const auto& set = context.scene.textures;
     const Place& place = textures_[at];
@@ -194,18 +195,17 @@ void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, s
     if (texture.kind == Texture::Kind::Layers) {
         const PrefetchedPigments known{place.texture, texture.count, layers_.data() + place.first, i, place.bent};
         hit.prefetched = &known;
-        shade_layers(context, batch, hit, texture, p, out);
+        shade_layers(context, batch, hit, texture, place.asks_point ? points.at(k) : glm::dvec3(0), out);
         hit.prefetched = nullptr;
         return;
     }
     const bool average = texture.kind == Texture::Kind::Average;
     if (texture.kind != Texture::Kind::Map && !average)
-        return shade_texture(context, batch, hit, place.texture, p, out);
+        return shade_texture(context, batch, hit, place.texture, points.at(k), out);
     hit.enclosing.enter(place.texture);
     const Map& map = maps_[place.first];
-    const glm::dvec3 q = map.points.at(i);
     const auto shade_entry = [&](std::uint32_t entry, ColorSlot slot) {
-        shade(context, batch, hit, entries_[place.entries + entry - texture.first], q, slot);
+        shade(context, batch, hit, entries_[place.entries + entry - texture.first], map.points, i, slot);
     };
     if (average) average_textures(context, texture, out, shade_entry);
     else mix_textures(context, map.blends[i], out, shade_entry);

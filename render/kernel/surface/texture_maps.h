@@ -28,9 +28,10 @@ public:
     std::uint32_t look_up(const Context& context, std::uint32_t texture, HitMask hits, const texture::Points& p,
                           const texture::Around& around, const texture::Points& normals);
 
-    /// shade_texture() of hit `hit.lane` by what has been looked up; `at`: from look_up().
-    void shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const glm::dvec3& p,
-               ColorSlot out) const;
+    /// shade_texture() of hit `hit.lane` by what has been looked up; `at`: from look_up(). Its point is place `k` of
+    /// `points`, and is read where something still asks for it.
+    void shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const texture::Points& points,
+               std::size_t k, ColorSlot out) const;
 
 private:
     /// A texture and the hits that show it.
@@ -40,6 +41,7 @@ private:
         std::size_t first = 0;    ///< of maps: in maps_; of layers: the top one's, in layers_
         std::size_t entries = 0;  ///< of maps: the first one's, in entries_
         bool bent = false;        ///< of layers: normals are known too, at the same places
+        bool asks_point = false;  ///< of layers: normals are yet to be bent
     };
     struct Map {
         texture::Points points;  ///< warped

@@ -1,6 +1,7 @@
 #include "render/picture/passes/photon_aim.h"
 
 #include "numbers/functions/functions.h"
+#include "render/kernel/context/projected.h"
 #include "render/light/illuminate.h"
 
 #include <cmath>
@@ -116,7 +117,7 @@ bool PhotonAim::pass_projector(Emission& photon) const
     constexpr int kMost = 1000;
     bool met = false;
     for (int i = 0; i < kMost; ++i) {
-        const double depth = light_.projector->depth({photon.origin, photon.direction});
+        const double depth = projected_depth(*light_.projector, {photon.origin, photon.direction});
         if (depth < 0.0) break;
         photon.origin += depth * photon.direction;
         photon.depth += depth;

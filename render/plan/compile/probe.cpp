@@ -50,13 +50,6 @@ ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec
     return {true, details.point, details.normal};
 }
 
-double ObjectProbe::depth(const csg::Ray& ray) const
-{
-    thread_local csg::Scratch scratch;
-    const csg::Hit hit = compiled_.world().nearest(ray, kMinDistance, csg::kInfinity, kEveryRay, scratch);
-    return hit.found() ? hit.t : -1.0;
-}
-
 bool ObjectProbe::inside(const glm::dvec3& point) const { return inside_.holds(point); }
 
 glm::dvec3 turbulence(const glm::dvec3& point, int octaves, double lambda, double omega)

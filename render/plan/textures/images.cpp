@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plan {
 namespace {
@@ -58,25 +59,31 @@ float cut_grey(float v)
     return std::trunc(255.0f * grey) / 255.0f;
 }
 
-void take_texels(const image::Picture& picture, const image::Transcoder& levels, bool png, texture::Image& out)
+/// What the picture's samples show: a table of its levels where they are fewer than its samples.
+void take_samples(const image::Transcoder& transcoder, bool png, texture::Image& out)
 {
+    const image::Picture& picture = *out.picture;
     const auto channels = static_cast<std::size_t>(picture.channels);
-    const bool grey = channels < 3, alpha = channels == 2 || channels == 4,
-               cut = png && channels == 1 && picture.bits <= 8;
-    out.texels.reserve(picture.count());
-    for (std::size_t i = 0; i < picture.count(); ++i) {
-        const float* p = &picture.samples[i * channels];
-        glm::vec4 texel{levels.to_working(p[0]), 0, 0, alpha ? 1.0f - p[channels - 1] : 0.0f};
-        if (cut) texel.x = cut_grey(texel.x);
-        texel.y = grey ? texel.x : levels.to_working(p[1]);
-        texel.z = grey ? texel.x : levels.to_working(p[2]);
-        out.texels.push_back(texel);
+    const bool cut = png && channels == 1 && picture.bits <= 8, bytes = picture.samples.kept.index() == 1,
+               floats = picture.samples.kept.index() == 0;
+    const auto shown = [&](float v) { return cut ? cut_grey(transcoder.to_working(v)) : transcoder.to_working(v); };
+    if (transcoder.keeps() && !cut && !bytes) return;  // a byte's table is faster than a division
+    const std::size_t count = floats ? 0 : bytes ? 1u << 8 : 1u << 16;
+    if (bytes || (count != 0 && count <= picture.samples.size())) {
+        out.levels.resize(count);
+        for (std::uint32_t level = 0; level < count; ++level) out.levels[level] = shown(picture.samples.value(level));
+        return;
     }
+    image::Samples::Floats decoded(picture.samples.size());
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+        const bool alpha = (channels == 2 || channels == 4) && i % channels == channels - 1;
+        decoded[i] = alpha ? picture.samples[i] : shown(picture.samples[i]);
+    }
+    out.decoded = {std::move(decoded)};
 }
 
 void take_palette(const image::Picture& picture, const image::Transcoder& levels, texture::Image& out)
 {
-    out.places = picture.indices;
     for (std::size_t i = 0; i + 3 < picture.palette.size(); i += 4) {
         const float* p = &picture.palette[i];
         out.palette.push_back(
@@ -93,7 +100,7 @@ void apply_transparency(const scene::ImageMap& written, texture::Image& out)
         };
         if (!clarity.place && out.palette.empty()) {
             if (clarity.filter) out.filter += clarity.amount;
-            for (glm::vec4& texel : out.texels) texel.w += clarity.filter ? 0.0f : clarity.amount;
+            else out.transmit.push_back(clarity.amount);
         } else if (!clarity.place) {
             std::for_each(out.palette.begin(), out.palette.end(), set);
         } else if (*clarity.place >= 0 && static_cast<std::size_t>(*clarity.place) < out.palette.size()) {
@@ -120,8 +127,12 @@ void take_settings(const scene::ImageMap& written, texture::Image& out)
 bool lets_light_through(const texture::Image& image)
 {
     const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
-    return image.filter != 0.0f || std::any_of(image.palette.begin(), image.palette.end(), clear) ||
-           std::any_of(image.texels.begin(), image.texels.end(), [](const glm::vec4& t) { return t.w != 0.0f; });
+    if (!image.palette.empty()) return std::any_of(image.palette.begin(), image.palette.end(), clear);
+    if (image.filter != 0.0f) return true;
+    const bool alike = image.picture->channels % 2 != 0;  // no alpha
+    for (std::size_t i = 0; i < (alike ? 1 : image.picture->count()); ++i)
+        if (image_texel(image, i).transmit != 0.0f) return true;
+    return false;
 }
 
 }  // namespace
@@ -132,10 +143,11 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     const image::Picture& picture = *source.picture;
     const image::Transcoder levels = levels_of(scene, source, colors);
     texture::Image out;
+    out.picture = source.picture;
     out.width = static_cast<std::uint32_t>(picture.width);
     out.height = static_cast<std::uint32_t>(picture.height);
     if (!picture.palette.empty()) take_palette(picture, levels, out);
-    else take_texels(picture, levels, ends_with_any(source.path, {".png"}), out);
+    else take_samples(levels, ends_with_any(source.path, {".png"}), out);
     out.clear_in_file = written.once || lets_light_through(out);
     apply_transparency(written, out);
     for (const scene::Color& color : out.palette) out.clear_in_file = out.clear_in_file || color.transmit != 0.0f;

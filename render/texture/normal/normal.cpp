@@ -55,20 +55,6 @@ glm::dvec3 by_waves(const TextureSet& set, const Normal& normal, const Pattern& 
     return n;
 }
 
-/// numbers: size, coords, metric (spec 4, 15.3).
-glm::dvec3 facets(const Pattern& pattern, const glm::dvec3& raw, const glm::dvec3& p)
-{
-    const glm::dvec3 n = glm::normalize(raw);
-    const double size = pattern.numbers[0], coords = pattern.numbers[1], metric = pattern.numbers[2];
-    const double scale = size < 1e-6 ? 1e6 : 1.0 / size;
-    const glm::dvec3 t = (coords == 0.0 ? n : p) * scale;
-    const glm::dvec3 nearest = nearest_cells(t, cell_points(glm::floor(t - kTiny)), metric, true, 1).point;
-    if (coords == 0.0) return nearest;
-    glm::dvec3 d = vector_noise(nearest);
-    d -= glm::dot(d, n) * n;
-    return n + coords * d;
-}
-
 glm::dvec3 wrinkled(const Normal& normal, glm::dvec3 n, const glm::dvec3& p)
 {
     double scale = 1.0;
@@ -95,7 +81,7 @@ glm::dvec3 by_pattern(const TextureSet& set, const Normal& normal, const Pattern
         const glm::dvec3 u = quilt_offset(p);
         return n + normal.amount * quilt_height(glm::length(u), pattern.numbers[0], pattern.numbers[1]) * u;
     }
-    case PatternKind::Facets: return facets(pattern, n, p);
+    case PatternKind::Facets: return facet_normal(pattern, n, p);
     default: return by_height(set, normal, pattern, n, p, around);
     }
 }
@@ -122,6 +108,20 @@ glm::dvec3 by_map(const TextureSet& set, const Normal& normal, const Pattern& pa
 }
 
 }  // namespace
+
+// numbers: size, coords, metric
+glm::dvec3 facet_normal(const Pattern& pattern, const glm::dvec3& raw, const glm::dvec3& p)
+{
+    const glm::dvec3 n = glm::normalize(raw);
+    const double size = pattern.numbers[0], coords = pattern.numbers[1], metric = pattern.numbers[2];
+    const double scale = size < 1e-6 ? 1e6 : 1.0 / size;
+    const glm::dvec3 t = (coords == 0.0 ? n : p) * scale;
+    const glm::dvec3 nearest = nearest_cells(t, cell_points(glm::floor(t - kTiny)), metric, true, 1).point;
+    if (coords == 0.0) return nearest;
+    glm::dvec3 d = vector_noise(nearest);
+    d -= glm::dot(d, n) * n;
+    return n + coords * d;
+}
 
 glm::dvec3 normal_into(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length)
 {

@@ -4,8 +4,12 @@
 
 #include <array>
 
-/// Normals bent by heights: the places where a pattern is asked and what its values weigh (spec 4, 15.1 and 15.6).
+/// What one point and many share. Normals bent by heights: the places where a pattern is asked and what its values
+/// weigh (spec 4, 15.1 and 15.6).
 namespace texture {
+
+/// A normal bent by facets (spec 4, 15.3).
+glm::dvec3 facet_normal(const Pattern& pattern, const glm::dvec3& raw, const glm::dvec3& p);
 
 /// A tetrahedron about the point; nine digits as POV-Ray has them.
 inline constexpr std::array<glm::dvec3, 4> kHeightCorners{glm::dvec3{0.942809041, -0.333333333, 0},

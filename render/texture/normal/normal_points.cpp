@@ -2,6 +2,7 @@
 #include "render/texture/noise/noise_points.h"
 #include "render/texture/normal/normal_height.h"
 #include "render/texture/points/point_lanes.h"
+#include "render/texture/quilt.h"
 
 #include <algorithm>
 #include <array>
@@ -133,19 +134,33 @@ void bend_by_waves(const TextureSet& set, const Normal& normal, const Pattern& p
     }
 }
 
-/// False: this kind is asked point by point.
-bool bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, const Around& around,
+void bend_by_quilt(const Normal& normal, const Pattern& pattern, const Points& p, Points& n)
+{
+    const Double amount(normal.amount);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double x = quilt_offset(get(p.x, i)), y = quilt_offset(get(p.y, i)), z = quilt_offset(get(p.z, i));
+        const Double by = amount *
+                          quilt_height(xsimd::sqrt(x * x + y * y + z * z), pattern.numbers[0], pattern.numbers[1]);
+        (get(n.x, i) + by * x).store_aligned(n.x.data() + i);
+        (get(n.y, i) + by * y).store_aligned(n.y.data() + i);
+        (get(n.z, i) + by * z).store_aligned(n.z.data() + i);
+    }
+}
+
+void bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, const Points& p, const Around& around,
           Points& n)
 {
     switch (pattern.kind) {
-    case PatternKind::Bumps: bend_by_bumps(normal, p, n); return true;
-    case PatternKind::Dents: bend_by_dents(normal, pattern, p, n); return true;
-    case PatternKind::Wrinkles: bend_by_wrinkles(normal, p, n); return true;
-    case PatternKind::Ripples: bend_by_waves(set, normal, pattern, p, false, n); return true;
-    case PatternKind::Waves: bend_by_waves(set, normal, pattern, p, true, n); return true;
-    case PatternKind::Quilted:
-    case PatternKind::Facets: return false;
-    default: bend_by_height(set, normal, pattern, p, around, n); return true;
+    case PatternKind::Bumps: return bend_by_bumps(normal, p, n);
+    case PatternKind::Dents: return bend_by_dents(normal, pattern, p, n);
+    case PatternKind::Wrinkles: return bend_by_wrinkles(normal, p, n);
+    case PatternKind::Ripples: return bend_by_waves(set, normal, pattern, p, false, n);
+    case PatternKind::Waves: return bend_by_waves(set, normal, pattern, p, true, n);
+    case PatternKind::Quilted: return bend_by_quilt(normal, pattern, p, n);
+    case PatternKind::Facets:  // whose cells stand in lanes
+        for (std::size_t i = 0; i < p.size(); ++i) n.set(i, facet_normal(pattern, n.at(i), p.at(i)));
+        return n.pad();
+    default: return bend_by_height(set, normal, pattern, p, around, n);
     }
 }
 
@@ -248,38 +263,24 @@ void mix_normals(const TextureSet& set, const Normal& normal, const Pattern& pat
 
 void perturb_points(const TextureSet& set, std::uint32_t index, const Points& p, const Around& around, Points& n)
 {
+    using Map = Normal::Map;
     const Normal& normal = set.normals[index];
-    if (normal.map == Normal::Map::Average || normal.map == Normal::Map::Normals) {
-        const Pattern& pattern = set.patterns[normal.pattern];
-        Points q;
-        q.take(p);
-        warp_points(set, pattern, q, kAllLive);
-        normals_into(set, pattern, normal.no_bump_scale, n);
-        const bool mapped = normal.map == Normal::Map::Normals;
-        if (mapped) mix_normals(set, normal, pattern, q, around, n);
-        else average_normals(set, normal, q, around, n);
-        normals_out_of(set, pattern, normal.no_bump_scale, n);
-        if (!normal.no_bump_scale || mapped) normalize_points(n);
-        return;
+    Points q;
+    if (normal.map == Map::Uv) {
+        for (std::size_t i = 0; i < p.size(); ++i) q.add({around[i]->uv.x, around[i]->uv.y, 0.0});
+        q.pad();
+        return perturb_points(set, set.children[normal.first], q, around, n);
     }
-    if (normal.map == Normal::Map::None || normal.map == Normal::Map::Slopes) {
-        const Pattern& pattern = set.patterns[normal.pattern];
-        Points q, local;
-        q.take(p);
-        local.take(n);
-        warp_points(set, pattern, q, kAllLive);
-        normals_into(set, pattern, normal.no_bump_scale, local);
-        if (bend(set, normal, pattern, q, around, local)) {
-            normals_out_of(set, pattern, normal.no_bump_scale, local);
-            if (!normal.no_bump_scale) normalize_points(local);
-            n.take(local);
-            return;
-        }
-    }
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        Surroundings own = *around[i];
-        n.set(i, perturb(set, index, n.at(i), p.at(i), own));
-    }
+    const Pattern& pattern = set.patterns[normal.pattern];
+    q.take(p);
+    warp_points(set, pattern, q, kAllLive);
+    normals_into(set, pattern, normal.no_bump_scale, n);
+    if (normal.map == Map::Normals) mix_normals(set, normal, pattern, q, around, n);
+    else if (normal.map == Map::Average) average_normals(set, normal, q, around, n);
+    else if (normal.map == Map::Image) image_bumps(set.images[pattern.data], normal.amount, q, n);
+    else bend(set, normal, pattern, q, around, n);
+    normals_out_of(set, pattern, normal.no_bump_scale, n);
+    if (!normal.no_bump_scale || normal.map == Map::Normals) normalize_points(n);
 }
 
 }  // namespace texture

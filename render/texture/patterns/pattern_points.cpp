@@ -235,6 +235,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Onion: return onion_values(p, out);
     case PatternKind::Object: return object_values(*set.objects[pattern.data], p, out);
     case PatternKind::Function: return function_values(set, pattern, p, out);
+    case PatternKind::Image: return image_values(set.images[pattern.data], p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
     case PatternKind::Leopard: return leopard_values(p, out);
     case PatternKind::Ripples: return ripples_values(set, pattern, p, out);
@@ -363,11 +364,7 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     q.take(p);
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
-    if (pigment.kind == Pigment::Kind::Image) {
-        const Image& image = set.images[pattern.data];
-        for (std::size_t i = 0; i < q.size(); ++i) out.set(i, image_shown(image, q.at(i)));
-        return;
-    }
+    if (pigment.kind == Pigment::Kind::Image) return images_shown(set.images[pattern.data], q, out);
     Values values;
     raw_values(set, pattern, q, around, color_map ? raw_flat_ends(set, pigment, pattern) : FlatEnds{}, values);
     if (color_map && all_equal(values, q.size()))  // as beside a ball of density

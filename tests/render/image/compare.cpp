@@ -8,6 +8,8 @@ using namespace image;
 
 namespace {
 
+std::vector<float>& floats(Picture& picture) { return std::get<Samples::Floats>(picture.samples.kept); }
+
 Picture noise(int width, int height, int channels, unsigned seed)
 {
     Picture picture;
@@ -16,14 +18,14 @@ Picture noise(int width, int height, int channels, unsigned seed)
     picture.channels = channels;
     for (int i = 0; i < width * height * channels; ++i) {
         seed = seed * 1664525u + 1013904223u;
-        picture.samples.push_back(static_cast<float>(seed >> 24) / 255.0f);
+        floats(picture).push_back(static_cast<float>(seed >> 24) / 255.0f);
     }
     return picture;
 }
 
 float& sample(Picture& picture, int x, int y, int channel)
 {
-    return picture.samples[static_cast<std::size_t>((y * picture.width + x) * picture.channels + channel)];
+    return floats(picture)[static_cast<std::size_t>((y * picture.width + x) * picture.channels + channel)];
 }
 
 }  // namespace
@@ -65,7 +67,7 @@ TEST_CASE("one changed pixel is named, counted and drawn", "[image][compare]")
 TEST_CASE("a difference of the tolerance itself agrees, one more does not", "[image][compare]")
 {
     Picture a = noise(8, 8, 3, 3);
-    for (float& value : a.samples) value = 100.0f / 255.0f;
+    for (float& value : floats(a)) value = 100.0f / 255.0f;
     Picture b = a;
     sample(b, 2, 2, 0) = 103.0f / 255.0f;
     CHECK(compare(a, b, 3.0).agreeing == 1.0);
@@ -87,11 +89,10 @@ TEST_CASE("comparison does not depend on the order of the two", "[image][compare
 
 TEST_CASE("grey counts as colour and a missing alpha as opaque", "[image][compare]")
 {
-    const Picture grey = noise(6, 6, 1, 9);
-    Picture colour = grey;
+    Picture grey = noise(6, 6, 1, 9), colour = grey;
     colour.channels = 4;
-    colour.samples.clear();
-    for (const float value : grey.samples) colour.samples.insert(colour.samples.end(), {value, value, value, 1.0f});
+    floats(colour).clear();
+    for (const float value : floats(grey)) floats(colour).insert(floats(colour).end(), {value, value, value, 1.0f});
     CHECK(compare(grey, colour, 0.0).agreeing == 1.0);
     sample(colour, 5, 5, 3) = 0.0f;
     const Comparison clear = compare(grey, colour, 3.0);

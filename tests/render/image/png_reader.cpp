@@ -60,6 +60,14 @@ void write_file(const std::string& path, const Kind& kind)
     png_destroy_write_struct(&png, &info);
 }
 
+/// Sample i of all pixels, from the palette or not.
+float shown(const Picture& picture, std::size_t i)
+{
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const auto pixel = static_cast<int>(i / channels);
+    return picture.at(pixel % picture.width, pixel / picture.width)[i % channels];
+}
+
 }  // namespace
 
 TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
@@ -94,7 +102,7 @@ TEST_CASE("every kind of PNG is read as OpenImageIO reads it", "[image][files]")
         library.get().release(other);
         float most = 0.0f;  // OpenImageIO multiplies by 1 / 255, which is not the same to the last bit
         for (std::size_t i = 0; i < samples.size(); ++i)
-            most = std::max(most, std::abs(picture->samples[i] - samples[i]));
+            most = std::max(most, std::abs(shown(*picture, i) - samples[i]));
         CHECK(most <= 6.0e-8f);
     }
 }

@@ -26,7 +26,7 @@ std::vector<std::uint16_t> encoded(const Image& picture, const TransferCurve& fi
     return quantise(picture, {{TransferCurve::linear(), file}, bits, alpha, grey}).samples;
 }
 
-using Samples = std::vector<std::uint16_t>;
+using Levels = std::vector<std::uint16_t>;
 
 }  // namespace
 
@@ -34,18 +34,18 @@ TEST_CASE("eight bits of four levels under three file curves", "[image][quantise
 {
     const Image levels{
         4, 1, {.125f, .125f, .125f, 0, .375f, .375f, .375f, 0, .625f, .625f, .625f, 0, .875f, .875f, .875f, 0}};
-    CHECK(encoded(levels, TransferCurve::srgb()) == Samples{99, 99, 99, 165, 165, 165, 207, 207, 207, 240, 240, 240});
-    CHECK(encoded(levels, TransferCurve::linear()) == Samples{32, 32, 32, 96, 96, 96, 159, 159, 159, 223, 223, 223});
+    CHECK(encoded(levels, TransferCurve::srgb()) == Levels{99, 99, 99, 165, 165, 165, 207, 207, 207, 240, 240, 240});
+    CHECK(encoded(levels, TransferCurve::linear()) == Levels{32, 32, 32, 96, 96, 96, 159, 159, 159, 223, 223, 223});
     CHECK(encoded(levels, TransferCurve::power(2.2f)) ==
-          Samples{99, 99, 99, 163, 163, 163, 206, 206, 206, 240, 240, 240});
+          Levels{99, 99, 99, 163, 163, 163, 206, 206, 206, 240, 240, 240});
 }
 
 TEST_CASE("what is no number or out of range is clamped", "[image][quantise]")
 {
-    CHECK(encoded(one_pixel(kNotANumber, kInfinite, -kInfinite), TransferCurve::srgb()) == Samples{0, 255, 0});
-    CHECK(encoded(one_pixel(-0.1f, 1.2f, 1.0f), TransferCurve::power(2.2f), 16) == Samples{0, 65535, 65535});
+    CHECK(encoded(one_pixel(kNotANumber, kInfinite, -kInfinite), TransferCurve::srgb()) == Levels{0, 255, 0});
+    CHECK(encoded(one_pixel(-0.1f, 1.2f, 1.0f), TransferCurve::power(2.2f), 16) == Levels{0, 65535, 65535});
     // background{rgb<I,-I,.5>} with I infinite
-    CHECK(encoded(one_pixel(kInfinite, -kInfinite, 0.5f), TransferCurve::srgb()) == Samples{255, 0, 188});
+    CHECK(encoded(one_pixel(kInfinite, -kInfinite, 0.5f), TransferCurve::srgb()) == Levels{255, 0, 188});
 }
 
 TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
@@ -90,15 +90,15 @@ TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
 
 TEST_CASE("the depth is 5 to 16 bits", "[image][quantise]")
 {
-    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 3) == Samples{31, 16, 0});
-    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 12) == Samples{4095, 2048, 0});
-    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 99) == Samples{65535, 32768, 0});
+    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 3) == Levels{31, 16, 0});
+    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 12) == Levels{4095, 2048, 0});
+    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 99) == Levels{65535, 32768, 0});
 }
 
 TEST_CASE("straight alpha of POV-Ray's cases, 16 bits, linear file", "[image][quantise][alpha]")
 {
     const auto check = [](const Image& picture, double r, double g, double b, double a) {
-        const Samples got = encoded(picture, TransferCurve::linear(), 16, true);
+        const Levels got = encoded(picture, TransferCurve::linear(), 16, true);
         const double expected[] = {r, g, b, a};
         for (std::size_t c = 0; c < 4; ++c) CHECK(got[c] / 65535.0 == Approx(expected[c]).margin(6e-5));
     };
@@ -112,12 +112,12 @@ TEST_CASE("straight alpha of POV-Ray's cases, 16 bits, linear file", "[image][qu
 
 TEST_CASE("alpha is never gamma encoded", "[image][quantise][alpha]")
 {
-    CHECK(encoded(one_pixel(.25f, .25f, .25f, .5f), TransferCurve::srgb(), 8, true) == Samples{188, 188, 188, 128});
+    CHECK(encoded(one_pixel(.25f, .25f, .25f, .5f), TransferCurve::srgb(), 8, true) == Levels{188, 188, 188, 128});
 }
 
 TEST_CASE("greyscale is the luminance of the working colour", "[image][quantise]")
 {
-    CHECK(encoded(one_pixel(1, 0, 0), TransferCurve::linear(), 16, false, true) == Samples{19464});
-    CHECK(encoded(one_pixel(0, 1, 0), TransferCurve::linear(), 16, false, true) == Samples{38600});
-    CHECK(encoded(one_pixel(0, 0, 1), TransferCurve::linear(), 8, false, true) == Samples{29});
+    CHECK(encoded(one_pixel(1, 0, 0), TransferCurve::linear(), 16, false, true) == Levels{19464});
+    CHECK(encoded(one_pixel(0, 1, 0), TransferCurve::linear(), 16, false, true) == Levels{38600});
+    CHECK(encoded(one_pixel(0, 0, 1), TransferCurve::linear(), 8, false, true) == Levels{29});
 }

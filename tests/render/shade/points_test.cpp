@@ -184,6 +184,89 @@ TEST_CASE("pattern values of many points have the bits of each point alone", "[t
     }
 }
 
+namespace {
+
+/// A few texels in any of the ways in which pictures are kept and shown.
+Image random_image(Rng& rng)
+{
+    Image out;
+    auto picture = std::make_shared<image::Picture>();
+    out.width = 1 + static_cast<std::uint32_t>(rng.below(5));
+    out.height = 1 + static_cast<std::uint32_t>(rng.below(5));
+    picture->width = static_cast<int>(out.width);
+    picture->height = static_cast<int>(out.height);
+    picture->channels = 1 + static_cast<int>(rng.below(4));
+    const std::size_t count = picture->count() * static_cast<std::size_t>(picture->channels);
+    const auto levels = [&](auto of, std::uint32_t most) {
+        for (auto& level : of) level = static_cast<typename decltype(of)::value_type>(rng.below(most + 1));
+        return image::Samples(of, most);
+    };
+    switch (rng.below(4)) {
+    case 0: picture->samples = levels(image::Samples::Bytes(count), 255); break;
+    case 1: picture->samples = levels(image::Samples::Shorts(count), 65535); break;
+    case 2: {
+        image::Samples::Floats values(count);
+        for (float& v : values) v = static_cast<float>(rng.uniform(0.0, 2.0));
+        picture->samples = {values};
+        break;
+    }
+    default:
+        picture->indices.resize(picture->count());
+        for (auto& place : picture->indices) place = static_cast<std::uint8_t>(rng.below(3));
+        for (int i = 0; i < 3; ++i) out.palette.push_back({float(i) / 2.0f, 0.25f, 0.5f, 0.0f, float(i) / 4.0f});
+        out.by_place = rng.flip();
+    }
+    if (picture->samples.kept.index() == 1 && rng.flip())
+        for (int i = 0; i < 256; ++i) out.levels.push_back(float(i * i) / 65025.0f);
+    if (rng.flip()) out.transmit.push_back(0.25f);
+    out.projection = static_cast<Image::Projection>(rng.below(4));
+    out.interpolation = static_cast<Image::Interpolation>(rng.below(4));
+    out.once = rng.flip();
+    out.premultiplied = rng.flip();
+    out.value = static_cast<Image::Value>(rng.below(3));
+    out.repeat = {rng.uniform(0.3, 3.0), rng.uniform(0.3, 3.0)};
+    out.offset = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+    out.picture = std::move(picture);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("pictures show many points the bits of each alone", "[texture][image]")
+{
+    std::size_t there = 0;
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        const Image image = random_image(rng);
+        const Points p = random_points(rng);
+        Points normals;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            normals.add(i % 7 == 0 ? glm::dvec3(0, -1, 0) : glm::normalize(rng.vector(1.0)));
+        normals.pad();
+        const Points before = normals;
+        ColorPoints shown;
+        Values values;
+        images_shown(image, p, shown);
+        image_values(image, p, values);
+        image_bumps(image, 0.7, p, normals);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            glm::dvec2 place;
+            there += image_place(image, p.at(i), place) ? 1 : 0;
+            const scene::Color one = image_shown(image, p.at(i)), many = shown.at(i);
+            REQUIRE(same(one.red, many.red));
+            REQUIRE(same(one.green, many.green));
+            REQUIRE(same(one.blue, many.blue));
+            REQUIRE(same(one.filter, many.filter));
+            REQUIRE(same(one.transmit, many.transmit));
+            REQUIRE(same(image_value(image, p.at(i)), values[i]));
+            const glm::dvec3 bent = image_bump(image, 0.7, before.at(i), p.at(i));
+            for (int k = 0; k < 3; ++k) REQUIRE(same(bent[k], normals.at(i)[k]));
+        }
+    }
+    CHECK(there > 10000);  // not all beside the picture
+}
+
 TEST_CASE("normals of many points have the bits of each bent alone", "[texture][normal]")
 {
     using Map = Normal::Map;
