@@ -107,24 +107,26 @@ struct Blob::Walk {
     std::size_t sorted = 0;  ///< of the ends; most rays are done before they need them all
     bool only_adds = true;   ///< no field takes away
 
-    /// Those from `from` on, and the last one before it; what began earlier is active.
+    /// Those from `from` on, and the last one before it; what began earlier is active, in order,
+    /// so that sums are those of a ray that comes from afar.
     void set_ends(double from)
     {
-        const std::uint32_t none = static_cast<std::uint32_t>(stretch_count);
-        std::uint32_t last = none;
-        for (std::uint32_t i = 0; i < none; ++i) {
+        for (std::uint32_t i = 0; i < stretch_count; ++i) {
             const Stretch& of = stretches[i];
             only_adds = only_adds && of.strength > 0.0;
             if (!(of.enter < from)) {
                 ends[end_count++] = {of.enter, i, false};
             } else {
-                const bool later = last == none || stretches[last].enter < of.enter;
-                if (last != none) begin(later ? last : i);
-                if (later) last = i;
+                std::size_t k = active_count++;
+                for (; k > 0 && stretches[active[k - 1]].enter > of.enter; --k) active[k] = active[k - 1];
+                active[k] = i;
             }
             ends[end_count++] = {of.leave, i, true};
         }
-        if (last != none) ends[end_count++] = {stretches[last].enter, last, false};
+        if (active_count > 0) {
+            const std::uint32_t last = active[--active_count];
+            ends[end_count++] = {stretches[last].enter, last, false};
+        }
         sort_more();
     }
 
@@ -152,21 +154,17 @@ struct Blob::Walk {
         return last;
     }
 
-    /// In the order of their numbers: sums are the same wherever the ray began.
-    void begin(std::uint32_t stretch)
-    {
-        std::size_t k = active_count++;
-        for (; k > 0 && active[k - 1] > stretch; --k) active[k] = active[k - 1];
-        active[k] = stretch;
-    }
-
     void pass(const End& end)
     {
-        if (!end.leaves) return begin(end.stretch);
-        std::size_t k = 0;
-        while (k < active_count && active[k] != end.stretch) ++k;
-        if (k == active_count) return;
-        for (--active_count; k < active_count; ++k) active[k] = active[k + 1];
+        if (!end.leaves) {
+            active[active_count++] = end.stretch;
+            return;
+        }
+        for (std::size_t i = 0; i < active_count; ++i) {
+            if (active[i] != end.stretch) continue;
+            active[i] = active[--active_count];
+            return;
+        }
     }
 
     /// No sum of fields in the range asked for is above this.
