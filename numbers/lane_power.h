@@ -32,37 +32,61 @@ inline T polynomial(const std::array<double, N>& c, const T* squares)
                squares[kPower] * polynomial<First + kHalf, Count - kHalf>(c, squares);
     }
 }
-template <class T, std::size_t N>
+/// Of the first `Count` coefficients.
+template <std::size_t Count, class T, std::size_t N>
 inline T polynomial(const std::array<double, N>& c, const T& x)
 {
     T squares[4] = {x};
     for (int k = 1; k < 4; ++k) squares[k] = squares[k - 1] * squares[k - 1];
-    static_assert(N <= 16);
-    return polynomial<0, N>(c, squares);
+    static_assert(Count <= N && N <= 16);
+    return polynomial<0, Count>(c, squares);
+}
+template <class T, std::size_t N>
+inline T polynomial(const std::array<double, N>& c, const T& x)
+{
+    return polynomial<N>(c, x);
 }
 
 inline constexpr double kLn2High = 0x1.62e42fefa38p-1,
                         kLn2Low = 0x1.ef35793c7673p-45;  // the high part times an exponent is exact
 
-/// ln c of normal positive numbers, by 2 artanh((m - 1) / (m + 1)) of a mantissa between the roots of 1/2 and 2; within
-/// 2 units in the last place where c is not 1.
+/// A normal positive number as mantissa 2^exponent, the mantissa between the roots of 1/2 and 2.
 template <class T>
-inline T logarithm(const T& c)
+struct Scaled {
+    T mantissa, exponent;
+};
+template <class T>
+inline Scaled<T> scaled(const T& c)
 {
-    constexpr std::array<double, 10> kOdd = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
-                                             1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21};
     constexpr std::uint64_t kRoot = 0x3fe6a09e667f3bcdu;  // of 1/2
     constexpr std::uint64_t kBias = std::uint64_t{1023} << 52;
     using W = decltype(words_of(c));
     const W steps = (words_of(c) + W(kBias - kRoot)) >> 52;  // the exponent, 1023 added
     const T e = number_of(steps | W(std::uint64_t{0x433} << 52)) - T(4503599627370496.0 + 1023.0);  // 2^52: as a number
-    const T m = number_of(words_of(c) - ((steps - W(1023)) << 52));
-    const T f = (m - T(1.0)) / (m + T(1.0)), s = f * f;
-    return e * T(kLn2High) + (e * T(kLn2Low) + T(2.0) * (f + f * s * polynomial(kOdd, s)));
+    return {number_of(words_of(c) - ((steps - W(1023)) << 52)), e};
 }
 
-/// e^y for -700 <= y <= 700, by its series about the nearest power of 2.
+/// The logarithm of a scaled number by 2 artanh(f), f = (m - 1) / (m + 1) of its mantissa, and so many terms behind the
+/// first.
+template <std::size_t kTerms, class T>
+inline T logarithm_by(const T& f, const T& exponent)
+{
+    constexpr std::array<double, 10> kOdd = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
+                                             1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21};
+    const T s = f * f;
+    return exponent * T(kLn2High) + (exponent * T(kLn2Low) + T(2.0) * (f + f * s * polynomial<kTerms>(kOdd, s)));
+}
+
+/// ln c of normal positive numbers; within 2 units in the last place where c is not 1.
 template <class T>
+inline T logarithm(const T& c)
+{
+    const auto [m, e] = scaled(c);
+    return logarithm_by<10>((m - T(1.0)) / (m + T(1.0)), e);
+}
+
+/// e^y for -700 <= y <= 700, by its series about the nearest power of 2; with 7 terms it is off by 3e-10 of itself.
+template <std::size_t kTerms = 12, class T>
 inline T exponential(const T& y)
 {
     constexpr std::array<double, 12> kTaylor = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
@@ -71,7 +95,7 @@ inline T exponential(const T& y)
     constexpr double kRound = 6755399441055744.0;  // 1.5 2^52: what is added to it loses its fraction
     const T shifted = y * T(0x1.71547652b82fep0) + T(kRound), k = shifted - T(kRound);
     const T r = (y - k * T(kLn2High)) - k * T(kLn2Low);
-    const T sum = T(1.0) + (r + r * r * polynomial(kTaylor, r));
+    const T sum = T(1.0) + (r + r * r * polynomial<kTerms>(kTaylor, r));
     return number_of(words_of(sum) + (words_of(shifted) << 52));
 }
 

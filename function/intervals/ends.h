@@ -163,42 +163,52 @@ inline Ends arc_tangent(const Ends& y, const Ends& x)
     return or_all(around, -kHalf, kHalf, or_all(!known, -kInf, kInf, out));
 }
 
-/// [a, b] where b is no less; more than the error of csg::lanes::power() apart.
-inline Ends with_room(const Batch& low, const Batch& high)
+// Series of powers are cut off where boxes need no more: their ends lie farther apart than what is left out.
+inline constexpr double kLogarithmError = 2e-11;
+
+/// Logarithms of both ends, by one division.
+[[gnu::always_inline]] inline Ends logarithms(const Batch& low, const Batch& high)
 {
-    constexpr double kRoom = 1e-11;  // of exponents up to 700, 2 units in the last place of the logarithm make 4e-13
-    return {low * Batch(1.0 - kRoom), high * Batch(1.0 + kRoom)};
+    constexpr std::size_t kTerms = 5;  // what is left out is below 1.9e-11
+    const auto l = csg::lanes::scaled(low), h = csg::lanes::scaled(high);
+    const Batch one(1.0), under_l = l.mantissa + one, under_h = h.mantissa + one, part = one / (under_l * under_h);
+    return {csg::lanes::logarithm_by<kTerms>((l.mantissa - one) * (under_h * part), l.exponent),
+            csg::lanes::logarithm_by<kTerms>((h.mantissa - one) * (under_l * part), h.exponent)};
 }
 
-/// Below and above e^x, for x = from and x = to. Beyond the series' range 0 and infinity.
-[[gnu::always_inline]] inline Ends exponential_between(const Batch& from, const Batch& to)
+/// Below and above e^x, for x = from and x = to, which are off by at most `error`. Beyond the series' range 0 and
+/// infinity.
+[[gnu::always_inline]] inline Ends exponential_between(const Batch& from, const Batch& to, double error)
 {
-    constexpr double kMost = 699.0;
+    constexpr std::size_t kTerms = 7;
+    constexpr double kMost = 699.0, kSeries = 4e-10;  // above the error of the series, of numbers up to 699 as well
+    const double room = kSeries + 2.0 * error;
     const auto inside = [](const Batch& v) { return xsimd::min(Batch(kMost), xsimd::max(Batch(-kMost), v)); };
-    const Ends out = with_room(csg::lanes::exponential(inside(from)), csg::lanes::exponential(inside(to)));
+    const Ends out{csg::lanes::exponential<kTerms>(inside(from)) * Batch(1.0 - room),
+                   csg::lanes::exponential<kTerms>(inside(to)) * Batch(1.0 + room)};
     return {xsimd::select(from >= Batch(-kMost), out.low, Batch(0.0)),
             xsimd::select(to <= Batch(kMost), out.high, Batch(kInf))};
 }
 
 /// e^x.
-[[gnu::always_inline]] inline Ends exponential(const Ends& a) { return exponential_between(a.low, a.high); }
+[[gnu::always_inline]] inline Ends exponential(const Ends& a) { return exponential_between(a.low, a.high, 0.0); }
 
 /// x^exponent of what x is at or above 0, whatever of it lies below left out; everything where nothing is left.
 inline Ends power(const Ends& a, double exponent)
 {
     constexpr double kLeast = 1e-300, kMost = 1e300;
     if (exponent == 0.0) return 1.0;
-    const auto growth = [&](const Batch& v) {
-        return Batch(exponent) * csg::lanes::logarithm(xsimd::min(Batch(kMost), xsimd::max(Batch(kLeast), v)));
-    };
-    const Batch zero(0.0), infinity(kInf), from = growth(a.low), to = growth(a.high);
+    const auto inside = [](const Batch& v) { return xsimd::min(Batch(kMost), xsimd::max(Batch(kLeast), v)); };
+    const Ends size = logarithms(inside(a.low), inside(a.high));
+    const double error = std::abs(exponent) * kLogarithmError;
+    const Batch zero(0.0), infinity(kInf), from = Batch(exponent) * size.low, to = Batch(exponent) * size.high;
     const auto known = (a.low == a.low) & (a.high >= zero), tiny = a.low<Batch(kLeast), huge = a.high> Batch(kMost);
     Ends out;
     if (exponent > 0.0) {
-        out = exponential_between(from, to);
+        out = exponential_between(from, to, error);
         out = {xsimd::select(tiny, zero, out.low), xsimd::select(huge, infinity, out.high)};
     } else {
-        out = exponential_between(to, from);
+        out = exponential_between(to, from, error);
         out = {xsimd::select(huge, zero, out.low), xsimd::select(tiny, infinity, out.high)};
     }
     return {xsimd::select(known, out.low, -infinity), xsimd::select(known, out.high, infinity)};

@@ -201,10 +201,14 @@ bool IsosurfaceSearch::in_leaves(const Grid& grid, std::int64_t first, std::uint
     Eight t, f;
     for (int k = 0; k < kParts; ++k) t.v[k] = grid.at(first + k + 1);
     if (!few) sample(t, sign, f);
+    const auto is_met = [&](std::int64_t place) {  // POV-Ray's interval ends among the eight as well
+        const std::int64_t k = place - first - 1;
+        return (few ? sign * value(t.v[k]) : f.v[k]) < 0.0;
+    };
     for (; open != 0; open &= open - 1) {
-        const int k = std::countr_zero(open);
-        if (!((few ? sign * value(t.v[k]) : f.v[k]) < 0.0)) continue;
-        found = told(grid, first + k + 1, sign);
+        const std::int64_t place = first + std::countr_zero(open) + 1;
+        if (!is_met(place)) continue;
+        found = told(grid, place, is_met);
         return true;
     }
     return false;

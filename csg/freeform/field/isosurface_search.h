@@ -63,10 +63,15 @@ private:
     bool comes_in(const Grid& grid, std::int64_t parts, double& found) const;
     bool goes_out(const Grid& grid, std::int64_t parts, double& found) const;
     /// POV-Ray's interval that ends at a place of the grid or behind; what is thinner than it is found all the same.
-    double told(const Grid& grid, std::int64_t place, double sign) const
+    template <class IsMet>
+    static double told(const Grid& grid, std::int64_t place, IsMet&& is_met)
     {
         const std::int64_t end = ((place + (std::int64_t{1} << grid.finer) - 1) >> grid.finer) << grid.finer;
-        return grid.at(end == place || !(sign * value(grid.at(end)) < 0.0) ? place : end);
+        return grid.at(end == place || !is_met(end) ? place : end);
+    }
+    double told(const Grid& grid, std::int64_t place, double sign) const
+    {
+        return told(grid, place, [&](std::int64_t end) { return sign * value(grid.at(end)) < 0.0; });
     }
     bool by_ranges() const { return terms_.field->ranged() && !terms_.trusting; }
     void ranges_of(const Grid& grid, std::int64_t first, int level, EightRanges& f) const;
