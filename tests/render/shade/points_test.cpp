@@ -186,6 +186,12 @@ TEST_CASE("pattern values of many points have the bits of each point alone", "[t
 
 namespace {
 
+template <class T>
+bool alike(T a, T b)
+{
+    return bits(a) == bits(b) || (a != a && b != b);
+}
+
 /// A few texels in any of the ways in which pictures are kept and shown.
 Image random_image(Rng& rng)
 {
@@ -198,7 +204,8 @@ Image random_image(Rng& rng)
     picture->channels = 1 + static_cast<int>(rng.below(4));
     const std::size_t count = picture->count() * static_cast<std::size_t>(picture->channels);
     const auto levels = [&](auto of, std::uint32_t most) {
-        for (auto& level : of) level = static_cast<typename decltype(of)::value_type>(rng.below(most + 1));
+        for (auto& level : of)
+            level = static_cast<typename decltype(of)::value_type>(rng.below(static_cast<int>(most) + 1));
         return image::Samples(of, most);
     };
     switch (rng.below(4)) {
@@ -254,14 +261,14 @@ TEST_CASE("pictures show many points the bits of each alone", "[texture][image]"
             glm::dvec2 place;
             there += image_place(image, p.at(i), place) ? 1 : 0;
             const scene::Color one = image_shown(image, p.at(i)), many = shown.at(i);
-            REQUIRE(same(one.red, many.red));
-            REQUIRE(same(one.green, many.green));
-            REQUIRE(same(one.blue, many.blue));
-            REQUIRE(same(one.filter, many.filter));
-            REQUIRE(same(one.transmit, many.transmit));
-            REQUIRE(same(image_value(image, p.at(i)), values[i]));
+            REQUIRE(alike(one.red, many.red));
+            REQUIRE(alike(one.green, many.green));
+            REQUIRE(alike(one.blue, many.blue));
+            REQUIRE(alike(one.filter, many.filter));
+            REQUIRE(alike(one.transmit, many.transmit));
+            REQUIRE(alike(image_value(image, p.at(i)), values[i]));
             const glm::dvec3 bent = image_bump(image, 0.7, before.at(i), p.at(i));
-            for (int k = 0; k < 3; ++k) REQUIRE(same(bent[k], normals.at(i)[k]));
+            for (int k = 0; k < 3; ++k) REQUIRE(alike(bent[k], normals.at(i)[k]));
         }
     }
     CHECK(there > 10000);  // not all beside the picture
