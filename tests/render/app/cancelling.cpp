@@ -51,8 +51,8 @@ void check_part_of(const std::string& partial, const std::string& whole, int lea
     int done = 0, other = 0;
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
-            const bool same = std::equal(a.at(x, y), a.at(x, y) + a.channels, b.at(x, y));
-            const bool black = std::all_of(a.at(x, y), a.at(x, y) + a.channels, [](float v) { return v == 0.0f; });
+            const bool same = a.at(x, y) == b.at(x, y);
+            const bool black = a.at(x, y) == std::array<float, 4>{};
             done += same && !black;
             other += !same && !black;
         }

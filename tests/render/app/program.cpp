@@ -51,7 +51,7 @@ TEST_CASE("a scene becomes a picture beside it", "[program]")
     CHECK(picture.channels == 3);
     CHECK(picture.bits == 8);
     // The background at a corner: linear light 0.125, 0.375, 0.875 as sRGB.
-    const float* corner = picture.at(0, 0);
+    const std::array<float, 4> corner = picture.at(0, 0);
     CHECK(std::lround(255.0 * static_cast<double>(corner[0])) == 99);
     CHECK(std::lround(255.0 * static_cast<double>(corner[1])) == 165);
     CHECK(std::lround(255.0 * static_cast<double>(corner[2])) == 240);
