@@ -205,7 +205,7 @@ TEST_CASE("eight remainders of a constant divisor hold every remainder and are a
     }
 }
 
-TEST_CASE("eight powers of a constant exponent hold every power and are as narrow as one's", "[function]")
+TEST_CASE("eight powers of a constant exponent hold every power and are nearly as narrow as one's", "[function]")
 {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> any(-3.0, 3.0), unit(0.0, 1.0);
@@ -223,7 +223,8 @@ TEST_CASE("eight powers of a constant exponent hold every power and are as narro
                 const Interval box[] = {{low[0][lane], high[0][lane]}};
                 const Interval one = function::evaluate_interval(*f, box, function::no_host());
                 INFO(low[0][lane] << " to " << high[0][lane] << ": " << out_low[lane] << " to " << out_high[lane]);
-                const double room = 1e-10 * std::max(std::abs(one.low), std::abs(one.high));
+                // Series end early, with that much room (function/intervals/ends.h): 2.7e-9 at most for 40.5, measured.
+                const double room = 3e-9 * std::max(std::abs(one.low), std::abs(one.high));
                 REQUIRE(out_low[lane] >= one.low - room - 1e-290);
                 REQUIRE(out_high[lane] <= one.high + room + 1e-290);
                 for (int k = 0; k < 20; ++k) {
