@@ -45,8 +45,9 @@ Byte paeth(Byte a, Byte b, Byte c)
 template <class Predict>
 std::uint32_t filter(const Byte* row, const Byte* above, std::size_t size, std::size_t step, Byte* out, Predict predict)
 {
+    const Byte *left = row - step, *above_left = above - step;
     for (std::size_t i = 0; i < size; ++i)
-        out[i] = static_cast<Byte>(row[i] - predict(row[i - step], above[i], above[i - step]));
+        out[i] = static_cast<Byte>(row[i] - predict(left[i], above[i], above_left[i]));
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i < size; ++i) sum += std::min(out[i], static_cast<Byte>(-out[i]));
     return sum;
