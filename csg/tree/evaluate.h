@@ -300,7 +300,6 @@ private:
     std::size_t first_ = 0, first_waiting_ = 0;  ///< ours among the scratch's ends
     std::size_t passed_ = 0;                     ///< the end that the sweep has come to
     bool heaped_ = false;                        ///< waiting ends are a heap; else they are sorted, the nearest last
-    bool undrawn_ = false;                       ///< what is added now is behind a guard
 };
 
 inline bool TreeEnds::meets_bound(std::uint32_t bound)

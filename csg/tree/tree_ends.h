@@ -70,7 +70,6 @@ protected:
         Stretch held, open;
     };
 
-
     /// Adds the ends of a subtree in a part of the ray and counts what holds before the first of them. `top`: nothing
     /// but unions and merges are above.
     Reach add(std::uint32_t i, const Stretch& part, bool top)
@@ -237,7 +236,6 @@ protected:
         const bool hidden = undrawn_ || kind_of(node.solid) == SolidKind::Mesh;  // a mesh draws by itself
         scratch_.waiting_.push_back(End::of(t, face, i, entry != node.closed, hidden));
     }
-
 
     const Node* nodes_;
     const OperandSieve* sieves_;

@@ -29,8 +29,8 @@ private:
     std::uint64_t find(const Asked& asked, std::uint64_t left) const;
 
     const WorldData& world_;
-    std::vector<Placed>
-        apart_;  ///< items that have no finite box, or hold what lies outside of it; all, if they are few
+    /// Items that have no finite box, or hold what lies outside of it; all, if they are few.
+    std::vector<Placed> apart_;
     Bvh boxes_;
 };
 

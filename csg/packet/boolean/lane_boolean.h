@@ -240,7 +240,7 @@ private:
                 each_span_of(solid, of, false, rays_.t_min[ray], rays_.limit[ray], origin_reach(of), scratch.fetched,
                              scratch.leaf_spans(program_->nodes[leaf.node].max_spans),
                              [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
-                                 if (count < most) put(own[count], ray, in, in_face, out, out_face);
+                                 if (count < most) own[count].put(ray, in, in_face, out, out_face);
                                  ++count;
                              });
             });
@@ -251,21 +251,6 @@ private:
         });
         pieces_ -= most - used;
         return held;
-    }
-
-    /// Of one ray; the first of a vector makes the others empty.
-    static void put(Piece& piece, std::size_t ray, double in, std::uint32_t in_face, double out, std::uint32_t out_face)
-    {
-        const int i = static_cast<int>(ray) & ~(lanes::kDoubles - 1);
-        if ((piece.rays >> ray & 1) == 0) {
-            piece.rays |= kVector << i;
-            store(piece.t[0], i, lanes::beyond());
-            store(piece.t[1], i, lanes::before());
-        }
-        piece.t[0][ray] = in;
-        piece.t[1][ray] = out;
-        piece.face[0][ray] = in_face;
-        piece.face[1][ray] = out_face;
     }
 
     void nearest(int i)
@@ -331,8 +316,8 @@ private:
         return load(piece_[p].face[side], i) != Double(static_cast<double>(kUndrawnFace));
     }
 
-    /// Which of the leaves that matter hold the points at t, as Evaluation has it, and where more ends are in the same
-    /// place than it decides.
+    /// Which of the leaves that matter hold the points at t, as Evaluation has it, and where more ends are in one place
+    /// than is decided here.
     void look(int i, const Piece& end_of, std::size_t side, Double t)
     {
         const BooleanLeaf& own = form_->leaves[end_of.leaf];

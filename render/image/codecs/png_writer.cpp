@@ -170,8 +170,8 @@ struct PngWriter::Encoder {
     z_stream zip{};
     int bits;
     std::size_t step, size;  ///< bytes of a pixel and of a row
-    Bytes row,
-        above;  ///< as PNG stores them: one byte a sample, or two with the high one first; zeros of a pixel before
+    /// As PNG stores them: one byte a sample, or two with the high one first; zeros of a pixel before.
+    Bytes row, above;
     Bytes best, tried;  ///< filtered, behind the filter's number
     std::array<std::uint8_t, 8192> packed;
 };

@@ -13,6 +13,7 @@
 #include <limits>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace texture;
 
@@ -286,5 +287,21 @@ TEST_CASE("the points of a cell are the same whichever cells were asked for befo
         fresh.complete();
         cell_points(base).complete();
         REQUIRE(same(fresh, cell_points(base)));
+    }
+}
+
+TEST_CASE("tables that a compiler works out are those of the library's generator and root", "[texture][noise]")
+{
+    std::mt19937 generator(5489u);
+    for (const double r : kNoiseTables.random) REQUIRE(r == static_cast<double>(generator()) / 4294967296.0);
+    std::uint32_t state = 1;
+    for (const glm::dvec3& g : kNoiseTables.gradient) {
+        glm::dvec3 v;
+        double q = 0.0;
+        do {
+            for (int k = 0; k < 3; ++k) v[k] = static_cast<double>((draw15(state) % 4096) - 2048) / 2048.0;
+            q = glm::dot(v, v);
+        } while (q < 1e-5 || q > 1.0);
+        REQUIRE(g == v / std::sqrt(q));
     }
 }
