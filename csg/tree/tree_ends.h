@@ -29,7 +29,7 @@ protected:
     double slack(double t) const { return kCoincidence * (std::abs(t) + reach_); }
     /// Ends that lie outside of a stretch are asked for as far as what coincides with an end inside of it.
     double room(double t) const { return 4.0 * slack(t); }
-    bool empty(const Stretch& s) const { return s.from - room(s.from) > s.to + room(s.to); }
+    Stretch padded(const Stretch& part) const { return {part.from - room(part.from), part.to + room(part.to)}; }
 
     /// Whether one operand that does not hold something is enough for the node not to; else one that does is enough for
     /// it to.
@@ -72,12 +72,20 @@ protected:
 
     /// Adds the ends of a subtree in a part of the ray and counts what holds before the first of them. `top`: nothing
     /// but unions and merges are above.
-    Reach add(std::uint32_t i, const Stretch& part, bool top)
+    Reach add(std::uint32_t i, const Stretch& part, bool top) { return add(i, part, padded(part), top); }
+    /// The same where the part is known with room at its ends. Most operands end here, at their boxes.
+    [[gnu::always_inline]] Reach add(std::uint32_t i, const Stretch& part, Stretch in_box, bool top)
     {
         const Node& node = nodes_[i];
-        if (!node.test_box) return add_leaf(i, part);
-        Stretch in_box{part.from - room(part.from), part.to + room(part.to)};
-        if (!narrow_to_box(node, ray_, inverse_, in_box)) return add_nothing(i, node.inside_beyond, part);
+        if (node.test_box && !narrow_to_box(node, ray_, inverse_, in_box))
+            return add_nothing(i, node.inside_beyond, part);
+        return add_met(i, part, in_box, top);
+    }
+
+    /// Of a subtree whose box the ray meets: `in_box` there.
+    [[gnu::noinline]] Reach add_met(std::uint32_t i, const Stretch& part, Stretch in_box, bool top)
+    {
+        const Node& node = nodes_[i];
         if (node.op == Op::Leaf) return add_leaf(i, part);
         if (node.op == Op::Guard) return add_guarded(i, part);
         if (!node.bounded) return add_operator(i, part, part, top);
@@ -127,17 +135,18 @@ protected:
         const Node& node = nodes_[i];
         const bool all = takes_all(node), narrows = node.op != Op::Union;
         const std::size_t mark = scratch_.waiting_.size();
-        Stretch both = within, some;
+        Stretch both = within, wide = padded(within), some;
         std::uint32_t deciding = 0;
         const bool wait = top && !all;
         const auto operand = [&](std::uint32_t k) {
             if (wait && waits(k, both)) return true;
-            const Reach told = add(k, narrows ? both : within, wait);
+            const Reach told = add(k, both, wide, wait);
             deciding += holds(k) != all ? 1u : 0u;
             some.include(all ? told.open : told.held);
             if (!narrows) return true;
             both.narrow(all ? told.held : told.open);
-            return !empty(both);
+            wide = padded(both);
+            return wide.from <= wide.to;  // not so of none, whose room is no number
         };
         if (!each_operand(i, within, operand)) {
             cut(scratch_.waiting_, mark);
