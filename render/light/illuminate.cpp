@@ -1,64 +1,10 @@
 #include "render/light/illuminate.h"
-#include "numbers/functions/functions.h"
+#include "render/light/attenuation.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace light {
-namespace {
-
-/// 0 below low, 1 from high on, a cubic between.
-double smooth_step(double low, double high, double x)
-{
-    if (x < low) return 0.0;
-    if (x >= high) return 1.0;
-    const double t = (x - low) / (high - low);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// v^power, with short cuts for the exponents that most scenes write, 1 and 2. At most one square in a thousand differs
-/// from pow(), in its last bit.
-double raised(double v, double power)
-{
-    if (power == 1.0) return v;
-    return power == 2.0 ? v * v : numbers::pow(v, power);
-}
-
-double spot(const Light& light, const Illumination& lit)
-{
-    // The axis points away from the light, the direction toward it.
-    double u = -glm::dot(light.axis, lit.direction);
-    if (lit.distance <= 0.0) u = -u;
-    if (u <= 0.0) return 0.0;
-    double factor = light.tightness == 0.0 ? 1.0 : raised(u, light.tightness);
-    if (light.cos_radius > 0.0 && u < light.cos_radius) factor *= smooth_step(light.cos_falloff, light.cos_radius, u);
-    return factor;
-}
-
-double cylinder(const Light& light, const glm::dvec3& point)
-{
-    const glm::dvec3 from = point - light.location;
-    const double along = glm::dot(from, light.axis);
-    if (along <= 0.0) return 0.0;
-    const double rho = glm::length(from - along * light.axis);
-    if (rho >= light.falloff) return 0.0;
-    const double delta = 1.0 - rho / light.falloff;
-    double factor = light.tightness == 0.0 ? 1.0 : raised(delta, light.tightness);
-    if (light.radius > 0.0 && rho > light.radius) factor *= smooth_step(0.0, 1.0 - light.radius / light.falloff, delta);
-    return factor;
-}
-
-double attenuation(const Light& light, const Illumination& lit, const glm::dvec3& point)
-{
-    double factor = 1.0;
-    if (light.kind == Light::Kind::Spot) factor = spot(light, lit);
-    if (light.kind == Light::Kind::Cylinder) factor = cylinder(light, point);
-    if (factor > 0.0 && light.fade_power > 0.0 && std::abs(light.fade_distance) > kLeastFadeDistance)
-        factor *= 2.0 / (1.0 + raised(lit.distance / light.fade_distance, light.fade_power));
-    return factor;
-}
-
-}  // namespace
 
 Illumination toward(const Light& light, const glm::dvec3& point, const glm::dvec3& offset)
 {
@@ -87,7 +33,9 @@ Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::
 
 glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point)
 {
-    return steady_color(light) ? light.color : light.color * static_cast<float>(attenuation(light, seen, point));
+    return steady_color(light)
+               ? light.color
+               : light.color * static_cast<float>(attenuation(light, point, seen.direction, seen.distance, true));
 }
 
 AreaAxes oriented_axes(const Light& light, const glm::dvec3& point)

@@ -5,9 +5,6 @@
 /// Direction, distance and colour of the light that reaches a point if nothing stands between (spec 3, 12.2 to 12.4).
 namespace light {
 
-/// POV-Ray's: a fade_distance below it counts as not given.
-inline constexpr double kLeastFadeDistance = 1e-10;
-
 struct Illumination {
     glm::dvec3 direction{0};  ///< unit, from the point toward the light
     double distance = 0;      ///< along direction; may be negative for parallel lights
@@ -19,6 +16,9 @@ Illumination illuminate(const Light& light, const glm::dvec3& point, const glm::
 
 /// Whether neither cone nor distance dims the light.
 inline bool steady_color(const Light& light) { return light.kind == Light::Kind::Point && !(light.fade_power > 0.0); }
+
+/// Whether every point sees one place of the light in the same direction.
+inline bool seen_in_one_direction(const Light& light) { return light.kind == Light::Kind::Cylinder || light.parallel; }
 
 /// The colour of a light at a point, after attenuation by its cone and by distance. `seen`: toward() of the point.
 glm::vec3 color_at(const Light& light, const Illumination& seen, const glm::dvec3& point);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/kernel/gather/indirect_light.h"
-#include "render/kernel/light/dimmed_lanes.h"
+#include "render/kernel/light/tile_attenuation.h"
 #include "render/kernel/light/direct_batch.h"
 #include "render/kernel/light/node_lanes.h"
 #include "render/kernel/context/segment_tile.h"
@@ -11,8 +11,6 @@
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/plan/shines_on.h"
 #include "render/kernel/context/photon_shadow.h"
-
-#include <optional>
 
 /// The lights over a tile's rows.
 namespace trace {
@@ -88,32 +86,16 @@ private:
         HitMask reached = 0;
         for_each_hit(asking, [&](std::size_t k) { reached |= dark(seen[k]) ? 0 : HitMask{1} << k; });
         if (reached == 0) return;
-        std::optional<NodeLanes> lanes;
-        if (NodeLanes::serve(light)) lanes.emplace(light, reached, scratch_, tile_.count());
+        NodeLanes lanes(light, reached, scratch_, tile_.count());
         batch_.begin_group();
         for (int j = 0; j < light.size2; ++j)
             for (int i = 0; i < light.size1; ++i) {
-                if (lanes) {
-                    lanes->ask(i, j, seen);
-                    for_each_hit(reached, [&](std::size_t k) { batch_.begin_light(k, scratch_.lamp.reaching[k]); });
-                } else {
-                    ask_node(light, i, j, reached, seen);
-                }
+                lanes.ask(i, j, seen);
+                for_each_hit(reached, [&](std::size_t k) { batch_.begin_light(k, scratch_.lamp.reaching[k]); });
                 batch_.light(reached & facing());
                 batch_.add(light, tile_.rays);
             }
         batch_.end_group();
-    }
-
-    /// What NodeLanes does, hit by hit.
-    void ask_node(const light::Light& light, int i, int j, HitMask hits, const TileColors& seen)
-    {
-        for_each_hit(hits, [&](std::size_t k) {
-            const glm::dvec3 point = scratch_.hits.point(k);
-            const light::Illumination lit = light::illuminate(light, point, light::node_offset(light, point, i, j));
-            scratch_.lamp.light.set(k, lit);
-            batch_.begin_light(k, node_color(light, lit, seen[k]));
-        });
     }
 
     /// Rows that lanes don't know, when all lights have been asked.
@@ -170,7 +152,7 @@ private:
     /// Directions, distances and colours of a light at one point; the hits where it has a colour.
     HitMask illuminate_from_point(const light::Light& light)
     {
-        toward_point(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
+        toward_lamp(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
         std::fill_n(scratch_.lamp.colors.begin(), tile_.count(), light.color);
         batch_.begin_light(light.color);
         return light.color == glm::vec3(0) ? 0 : ~HitMask{0};
@@ -185,18 +167,10 @@ private:
             batch_.begin_light(k, color);
             colored |= HitMask{color != glm::vec3(0) ? 1u : 0u} << k;
         };
-        if (DimmedLanes::serve(light)) {
-            toward_point(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
-            alignas(64) TileLanes share;
-            DimmedLanes(light).find(asks_, scratch_.lamp.light, share);
-            for_each_hit(asks_, [&](std::size_t k) { lit(k, light.color * static_cast<float>(share[k])); });
-        } else {
-            for_each_hit(asks_, [&](std::size_t k) {
-                const light::Illumination seen = light::illuminate(light, scratch_.hits.point(k));
-                scratch_.lamp.light.set(k, seen);
-                lit(k, seen.color);
-            });
-        }
+        toward_lamp(light, scratch_.hits, tile_.count(), scratch_.lamp.light);
+        alignas(64) TileLanes share;
+        attenuate(light, asks_, scratch_.hits, scratch_.lamp.light, share);
+        for_each_hit(asks_, [&](std::size_t k) { lit(k, light.color * static_cast<float>(share[k])); });
         return colored;
     }
 

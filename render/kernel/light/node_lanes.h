@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/kernel/light/dimmed_lanes.h"
+#include "render/kernel/light/tile_attenuation.h"
 #include "render/kernel/light/shade_light.h"
 #include "render/kernel/context/context.h"
 
@@ -11,11 +11,9 @@ namespace trace {
 /// same order.
 class NodeLanes {
 public:
-    static bool serve(const light::Light& light) { return DimmedLanes::serve(light); }
-
     /// which: the hits that are asked for.
     NodeLanes(const light::Light& light, HitMask which, ShadeScratch& scratch, int count)
-        : light_(light), which_(which), scratch_(scratch), count_(count), dimmed_(light)
+        : light_(light), which_(which), scratch_(scratch), count_(count)
     {
         if (!turns()) return;
         for_each_hit(which, [&](std::size_t k) {
@@ -30,20 +28,21 @@ public:
     /// \param seen  what shadows leave of the whole light
     void ask(int i, int j, const TileColors& seen)
     {
-        const glm::dvec3& middle = light_.location;
         if (turns()) {
+            const glm::dvec3& middle = light_.location;
             const light::NodeShares at = light::node_shares(light_, i, j);
             const Double p(size_ * at.p * at.m), q(size_ * at.q * at.m);
             const auto along = [&](double from, const TileLanes& a, const TileLanes& b, int k) {
                 return Double(from) + (p * load(a, k) + q * load(b, k));
             };
-            toward([&](int k) {
+            const auto place = [&](int k) {
                 return LanePoints{along(middle.x, a_.x, b_.x, k), along(middle.y, a_.y, b_.y, k),
                                   along(middle.z, a_.z, b_.z, k)};
-            });
+            };
+            toward_places(place, scratch_.hits, count_, scratch_.lamp.light);
         } else {
-            const glm::dvec3 at = middle + light::node_offset(light_, glm::dvec3(0), i, j);
-            toward([&](int) { return LanePoints{Double(at.x), Double(at.y), Double(at.z)}; });
+            toward_lamp(light_, scratch_.hits, count_, scratch_.lamp.light,
+                        light::node_offset(light_, glm::dvec3(0), i, j));
         }
         color(seen);
     }
@@ -55,20 +54,15 @@ private:
         void set(std::size_t k, const glm::dvec3& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
     };
 
-    bool turns() const { return light_.circular && light_.orient; }
+    /// Toward each hit, which parallel light does alike toward all.
+    bool turns() const { return light_.circular && light_.orient && !light::seen_in_one_direction(light_); }
     static Double load(const TileLanes& lanes, int k) { return Double::load_aligned(lanes.data() + k); }
-
-    template <class At>
-    void toward(const At& at)
-    {
-        toward_places(at, scratch_.hits, count_, scratch_.lamp.light);
-    }
 
     void color(const TileColors& seen)
     {
         const bool steady = light::steady_color(light_);
         if (!steady) {
-            dimmed_.find(which_, scratch_.lamp.light, exact_);
+            attenuate(light_, which_, scratch_.hits, scratch_.lamp.light, exact_);
             each_place(count_, [&](std::size_t k) { share_[k] = static_cast<float>(exact_[k]); });
         }
         const float part = 1.0f / static_cast<float>(light_.size1 * light_.size2);
@@ -87,7 +81,6 @@ private:
     const HitMask which_;
     ShadeScratch& scratch_;
     const int count_;
-    const DimmedLanes dimmed_;
     double size_ = 0.0;
     alignas(64) TileLanes exact_{};   ///< by hit, what is left of the node's light; 0 where none has asked,
     alignas(64) TileFloats share_{};  ///< and as it counts

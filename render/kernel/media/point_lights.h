@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/kernel/light/dimmed_lanes.h"
+#include "render/kernel/light/tile_attenuation.h"
 #include "render/kernel/light/shadow_caster.h"
 #include "render/kernel/tile/tile_lanes.h"
 #include "render/kernel/media/media_photons.h"
@@ -74,7 +74,7 @@ public:
 private:
     HitMask from_one_point(const light::Light& light)
     {
-        toward_point(light, scratch_.hits, count_, scratch_.lamp.light);
+        toward_lamp(light, scratch_.hits, count_, scratch_.lamp.light);
         scratch_.lamp.colors.fill(light.color);
         return ~HitMask{0};
     }
@@ -82,22 +82,13 @@ private:
     HitMask from_each(const light::Light& light, HitMask asking)
     {
         HitMask colored = 0;
-        if (light.from_one_point()) {  // only the colour differs from point to point
-            toward_point(light, scratch_.hits, count_, scratch_.lamp.light);
-            alignas(64) TileLanes share;
-            DimmedLanes(light).find(asking, scratch_.lamp.light, share);
-            for_each_hit(asking, [&](std::size_t k) {
-                const glm::vec3 color = light.color * static_cast<float>(share[k]);
-                scratch_.lamp.colors[k] = color;
-                colored |= HitMask{dark(color) ? 0u : 1u} << k;
-            });
-            return colored;
-        }
+        toward_lamp(light, scratch_.hits, count_, scratch_.lamp.light);
+        alignas(64) TileLanes share;
+        attenuate(light, asking, scratch_.hits, scratch_.lamp.light, share);
         for_each_hit(asking, [&](std::size_t k) {
-            const light::Illumination lit = light::illuminate(light, scratch_.hits.point(k));
-            scratch_.lamp.light.set(k, lit);
-            scratch_.lamp.colors[k] = lit.color;
-            if (!dark(lit.color)) colored |= HitMask{1} << k;
+            const glm::vec3 color = light.color * static_cast<float>(share[k]);
+            scratch_.lamp.colors[k] = color;
+            colored |= HitMask{dark(color) ? 0u : 1u} << k;
         });
         return colored;
     }

@@ -72,13 +72,25 @@ inline void toward_places(const At& at, const TileHits& hits, int count, TileLig
     }
 }
 
-/// The same of a light at one point.
-inline void toward_point(const light::Light& light, const TileHits& hits, int count, TileLight& out)
+/// The same of a lamp, moved by `offset`.
+inline void toward_lamp(const light::Light& light, const TileHits& hits, int count, TileLight& out,
+                        const glm::dvec3& offset = glm::dvec3(0))
 {
     using csg::lanes::Double;
-    const glm::dvec3 at = light.location + glm::dvec3(0);
+    const glm::dvec3 at = light.location + offset;
     const LanePoints place{Double(at.x), Double(at.y), Double(at.z)};
-    toward_places([&](int) { return place; }, hits, count, out);
+    if (!light::seen_in_one_direction(light)) return toward_places([&](int) { return place; }, hits, count, out);
+    const glm::dvec3 direction = light::toward(light, glm::dvec3(0), offset).direction;
+    const Double dx(direction.x), dy(direction.y), dz(direction.z);
+    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+        const Double x = place.x - Double::load_aligned(hits.x.data() + i),
+                     y = place.y - Double::load_aligned(hits.y.data() + i),
+                     z = place.z - Double::load_aligned(hits.z.data() + i);
+        (x * dx + y * dy + z * dz).store_aligned(out.distance.data() + i);
+        dx.store_aligned(out.x.data() + i);
+        dy.store_aligned(out.y.data() + i);
+        dz.store_aligned(out.z.data() + i);
+    }
 }
 
 }  // namespace trace

@@ -1,6 +1,6 @@
 // Rows of light go through the lights in vector lanes or by themselves: one formula, the same picture.
 #include "render/light/illuminate.h"
-#include "render/kernel/light/dimmed_lanes.h"
+#include "render/kernel/light/tile_attenuation.h"
 #include "render/picture/render.h"
 #include "tests/parser/grammar_support.h"
 
@@ -161,11 +161,14 @@ TEST_CASE("cones and distance dim a light in lanes as they do point by point", "
         return glm::dvec3(number(-size, size), number(-size, size), number(-size, size));
     };
     const double powers[] = {0.0, 1.0, 2.0, 2.7};
+    using Kind = light::Light::Kind;
+    const Kind kinds[] = {Kind::Point, Kind::Spot, Kind::Cylinder, Kind::Spot};
     int dark = 0, dimmed = 0;
     for (int round = 0; round < 400; ++round) {
         INFO("round " << round);
         light::Light light;
-        light.kind = round % 4 == 0 ? light::Light::Kind::Point : light::Light::Kind::Spot;
+        light.kind = kinds[round % 4];
+        light.parallel = round % 3 == 0;
         light.color = {0.9f, 0.5f, 0.2f};
         light.location = point(5.0);
         light.axis = glm::normalize(point(1.0));
@@ -174,15 +177,25 @@ TEST_CASE("cones and distance dim a light in lanes as they do point by point", "
         light.tightness = powers[random() % 4];
         light.fade_power = powers[random() % 4];
         light.fade_distance = round % 9 == 0 ? 0.0 : number(0.5, 8.0);
+        light.point_at = light.location + number(1.0, 3.0) * light.axis;
+        light.falloff = number(0.5, 8.0);
+        light.radius = round % 5 == 0 ? 0.0 : number(0.0, light.falloff);
+        trace::TileHits hits{};
+        for (std::size_t k = 0; k < csg::kTileRays; ++k) {
+            const glm::dvec3 at = point(10.0);
+            hits.x[k] = at.x, hits.y[k] = at.y, hits.z[k] = at.z;
+        }
         trace::TileLight seen;
-        for (std::size_t k = 0; k < csg::kTileRays; ++k) seen.set(k, light::toward(light, point(10.0), glm::dvec3(0)));
+        trace::toward_lamp(light, hits, csg::kTileRays, seen);
         const trace::HitMask asked = static_cast<trace::HitMask>(random()) << 32 | random();
         alignas(64) trace::TileLanes share;
-        trace::DimmedLanes(light).find(asked, seen, share);
+        trace::attenuate(light, asked, hits, seen, share);
         for (std::size_t k = 0; k < csg::kTileRays; ++k) {
             if ((asked >> k & 1) == 0) continue;
-            const light::Illumination one{seen.direction(k), seen.distance[k]};
-            const glm::vec3 expected = light::color_at(light, one, glm::dvec3(0));
+            const light::Illumination alone = light::illuminate(light, hits.point(k));
+            REQUIRE(seen.direction(k) == alone.direction);
+            REQUIRE(seen.distance[k] == alone.distance);
+            const glm::vec3 expected = alone.color;
             REQUIRE(light.color * static_cast<float>(share[k]) == expected);
             (expected == glm::vec3(0) ? dark : dimmed) += expected == light.color ? 0 : 1;
         }
