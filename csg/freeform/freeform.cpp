@@ -162,10 +162,16 @@ void Freeform::normals(std::span<const glm::dvec3> points, std::span<const std::
 {
     std::visit(
         [&](const auto& kind) {
-            if constexpr (requires { kind.gradients(points, faces, out); }) {
-                std::array<glm::dvec3, kTileRays> local;
+            std::array<glm::dvec3, kTileRays> local;
+            const auto into = [&] {
                 for (std::size_t i = 0; i < points.size(); ++i) local[i] = frame.inverse_point(points[i]);
-                kind.gradients({local.data(), points.size()}, faces, out);
+                return std::span<const glm::dvec3>(local.data(), points.size());
+            };
+            if constexpr (requires { kind.world_gradients(frame, points, faces, out); }) {
+                kind.world_gradients(frame, into(), faces, out);
+                for (std::size_t i = 0; i < points.size(); ++i) out[i] = unit_or_x(out[i]);
+            } else if constexpr (requires { kind.gradients(points, faces, out); }) {
+                kind.gradients(into(), faces, out);
                 for (std::size_t i = 0; i < points.size(); ++i) out[i] = unit_or_x(frame.normal(out[i]));
             } else {
                 for (std::size_t i = 0; i < points.size(); ++i) out[i] = normal(points[i], faces[i]);

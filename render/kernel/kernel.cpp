@@ -119,7 +119,7 @@ public:
 private:
     /// Takes a grid of samples in strips about as wide as a tile, down and up in turn, so that tiles are compact and
     /// all but the last one full.
-    static void grid(void* context, const SampleGrid& samples, scene::Color* out)
+    static void grid(void* context, const SampleGrid& samples, scene::Color* out, std::size_t stride)
     {
         auto& self = *static_cast<BlockTracer*>(context);
         const bool one_by_one = self.scene_.options.grain_stream;  // as POV-Ray asks for random numbers
@@ -131,8 +131,7 @@ private:
                 const int row = strip % 2 == 0 ? n : samples.rows - 1 - n;
                 for (int column = samples.columns * strip / strips; column < samples.columns * (strip + 1) / strips;
                      ++column) {
-                    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(samples.columns) +
-                                           static_cast<std::size_t>(column);
+                    const std::size_t at = static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column);
                     self.add_sample(samples.first + SamplePosition(column, row), out + at);
                     if (self.samples_ < most) continue;
                     self.finish_tile();

@@ -15,46 +15,82 @@ struct BlendPoints {
     Values share;
 };
 
+/// Entries of maps that are looked up in registers.
+constexpr std::uint32_t kMostEntries = 32;
+
+/// A number for each entry of a map.
+struct Table {
+    alignas(32) std::array<float, kMostEntries> numbers{};
+    std::uint32_t entries;
+
+#if defined(__AVX2__)
+    static constexpr std::uint32_t kPart = 8;
+    /// Those of eight places.
+    __m256 at(const std::int32_t* places) const
+    {
+        const __m256i where = _mm256_load_si256(reinterpret_cast<const __m256i*>(places));
+        __m256 out = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers.data()), where);
+        for (std::uint32_t k = kPart; k < entries; k += kPart) {
+            const __m256 more = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers.data() + k), where);
+            const __m256i beyond = _mm256_cmpgt_epi32(where, _mm256_set1_epi32(static_cast<int>(k) - 1));
+            out = _mm256_blendv_ps(out, more, _mm256_castsi256_ps(beyond));
+        }
+        return out;
+    }
+#endif
+};
+
+/// The numbers at places, which reach to a whole number of vectors.
+void look_up(const Table& table, const std::array<std::int32_t, kMostPoints>& places, std::size_t count, Values& out)
+{
+#if defined(__AVX2__)
+    for (std::size_t i = 0; i < count; i += 8) {
+        const __m256 found = table.at(places.data() + i);
+        _mm256_store_pd(out.data() + i, _mm256_cvtps_pd(_mm256_castps256_ps128(found)));
+        _mm256_store_pd(out.data() + i + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(found, 1)));
+    }
+#else
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = static_cast<double>(table.numbers[static_cast<std::size_t>(places[i])]);
+#endif
+}
+
 /// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
 {
-    const Double last_key(static_cast<double>(keys[entries - 1])), zero(0.0), one(1.0),
-        last(static_cast<double>(entries - 1));
+    const Double first_key(static_cast<double>(keys[0])), last_key(static_cast<double>(keys[entries - 1])), zero(0.0),
+        one(1.0), last(static_cast<double>(entries - 1));
+    Table table;
+    table.entries = entries;
+    std::copy_n(keys, entries, table.numbers.data());
+    Values place, low, high;
     for (std::size_t i = 0; i < count; i += kLanes) {
-        const Double v = Double::load_aligned(values.data() + i);
-        Double below = zero, low = last_key, high = last_key;
-        for (std::uint32_t k = 0; k < entries; ++k) {
-            const Double key(static_cast<double>(keys[k]));
-            const auto passed = key < v;
-            below = below + xsimd::select(passed, one, zero);
-            low = xsimd::select(passed, key, low);
-        }
-        for (std::uint32_t k = entries; k-- > 0;) {
-            const Double key(static_cast<double>(keys[k]));
-            high = xsimd::select(key < v, high, key);
-        }
-        const auto beyond = v >= last_key, alone = beyond | (below == zero) | (high == v);
-        xsimd::select(alone, zero, (v - low) / (high - low)).store_aligned(out.share.data() + i);
-        const Double at = xsimd::select(beyond, last, below);
+        const Double v = get(values, i);
+        Double below = zero;
+        for (std::uint32_t k = 0; k < entries; ++k)
+            below = below + xsimd::select(Double(static_cast<double>(keys[k])) < v, one, zero);
+        const Double at = xsimd::select(v >= last_key, last, below);
+        at.store_aligned(place.data() + i);
         csg::lanes::store_whole(at, out.upper.data() + i);
-        csg::lanes::store_whole(xsimd::select(alone, at, at - one), out.lower.data() + i);
+        csg::lanes::store_whole(xsimd::max(at - one, zero), out.lower.data() + i);
+    }
+    look_up(table, out.lower, count, low);
+    look_up(table, out.upper, count, high);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Double v = get(values, i), at = get(place, i), from = get(low, i), to = get(high, i);
+        const auto between = (v > first_key) & (v < last_key) & (v != to);
+        xsimd::select(between, (v - from) / (to - from), zero).store_aligned(out.share.data() + i);
+        csg::lanes::store_whole(xsimd::select(between, at - one, at), out.lower.data() + i);
     }
 }
 
-/// Entries of maps that are looked up in registers.
-constexpr std::uint32_t kMostEntries = 8;
-
 /// One component of the colours: mix() of the two entries.
-#if defined(__AVX2__)
-void mix_points(const float* entries, const BlendPoints& blends, std::size_t count, float* out)
+void mix_points(const Table& table, const BlendPoints& blends, std::size_t count, float* out)
 {
-    const __m256 table = _mm256_load_ps(entries);
+#if defined(__AVX2__)
     for (std::size_t i = 0; i < count; i += 8) {
-        const auto entry = [&](const auto& places) {
-            return _mm256_permutevar8x32_ps(table,
-                                            _mm256_load_si256(reinterpret_cast<const __m256i*>(places.data() + i)));
-        };
-        const __m256 low = entry(blends.lower), step = _mm256_sub_ps(entry(blends.upper), low);
+        const __m256 low = table.at(blends.lower.data() + i),
+                     step = _mm256_sub_ps(table.at(blends.upper.data() + i), low);
         const auto part = [&](__m128 steps, std::size_t at) {
             return _mm256_cvtpd_ps(_mm256_mul_pd(_mm256_load_pd(blends.share.data() + at), _mm256_cvtps_pd(steps)));
         };
@@ -62,16 +98,14 @@ void mix_points(const float* entries, const BlendPoints& blends, std::size_t cou
                      second = part(_mm256_extractf128_ps(step, 1), i + 4);
         _mm256_store_ps(out + i, _mm256_add_ps(low, _mm256_insertf128_ps(_mm256_castps128_ps256(first), second, 1)));
     }
-}
 #else
-void mix_points(const float* entries, const BlendPoints& blends, std::size_t count, float* out)
-{
     for (std::size_t i = 0; i < count; ++i) {
-        const float low = entries[blends.lower[i]], high = entries[blends.upper[i]];
+        const float low = table.numbers[static_cast<std::size_t>(blends.lower[i])],
+                    high = table.numbers[static_cast<std::size_t>(blends.upper[i])];
         out[i] = low + static_cast<float>(blends.share[i] * static_cast<double>(high - low));
     }
-}
 #endif
+}
 
 /// Frequency and phase, and the remainder by kModulus.
 Double folded(const Double& v, const Pattern& pattern)
@@ -125,15 +159,17 @@ void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t 
     }
     BlendPoints blends;
     blend_points(keys, entries, values, count, blends);
+    Table table;
+    table.entries = entries;
     const auto component = [&](float scene::Color::*of, std::array<float, kMostPoints>& to) {
-        alignas(32) float table[kMostEntries] = {};
-        for (std::uint32_t k = 0; k < entries; ++k) table[k] = colors[k].*of;
+        for (std::uint32_t k = 0; k < entries; ++k) table.numbers[k] = colors[k].*of;
         mix_points(table, blends, count, to.data());
     };
+    const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
     component(&scene::Color::red, out.red);
     component(&scene::Color::green, out.green);
     component(&scene::Color::blue, out.blue);
-    if (points.density) return out.fill_clear(0.0f);
+    if (points.density || std::none_of(colors, colors + entries, clear)) return out.fill_clear(0.0f);
     component(&scene::Color::filter, out.filter);
     component(&scene::Color::transmit, out.transmit);
 }

@@ -80,7 +80,7 @@ glm::dvec3 HeightField::gradient(const glm::dvec3&, std::uint32_t face) const
 
 /// Of a cell's corners the sums of the unit normals that each has with its neighbours in each quadrant, as POV-Ray
 /// stores them: the steps of 16 bits are seen, for in levels all slopes are steep.
-std::array<glm::dvec3, 4> HeightField::corner_normals(std::uint32_t i, std::uint32_t k) const
+HeightField::Corners HeightField::corner_normals(std::uint32_t i, std::uint32_t k) const
 {
     // Quadrant q of corner c is 4 c + q. All roots stand in one loop, for the vector unit.
     std::array<double, 16> across, along, length;
@@ -114,19 +114,54 @@ std::array<glm::dvec3, 4> HeightField::corner_normals(std::uint32_t i, std::uint
         y[c] = 32767.0 * (y[c] * one);
         z[c] = 32767.0 * (z[c] * one);
     }
-    std::array<glm::dvec3, 4> out;
+    Corners out;
     for (std::size_t c = 0; c < 4; ++c) out[c] = glm::trunc(glm::dvec3(x[c], y[c], z[c]));
     return out;
+}
+
+HeightField::Corners HeightField::world_corners(const Transform& frame, std::uint32_t cell) const
+{
+    const std::uint32_t wide = grid_.columns - 1;
+    Corners n = corner_normals(cell % wide, cell / wide);
+    for (glm::dvec3& corner : n) corner = unit_or_x(frame.normal(corner * scale_));
+    return n;
+}
+
+glm::dvec3 HeightField::blended(const Corners& n, const glm::dvec3& p, std::uint32_t cell) const
+{
+    const std::uint32_t wide = grid_.columns - 1;
+    const double fx = std::clamp(p.x * scale_.x - cell % wide, 0.0, 1.0),
+                 fz = std::clamp(p.z * scale_.z - cell / wide, 0.0, 1.0);
+    return (1.0 - fz) * ((1.0 - fx) * n[0] + fx * n[1]) + fz * ((1.0 - fx) * n[2] + fx * n[3]);
 }
 
 glm::dvec3 HeightField::world_gradient(const Transform& frame, const glm::dvec3& p, std::uint32_t face) const
 {
     if (!grid_.smooth) return frame.normal(gradient(p, face));
-    const std::uint32_t cell = face / 2, wide = grid_.columns - 1, i = cell % wide, k = cell / wide;
-    const double fx = std::clamp(p.x * scale_.x - i, 0.0, 1.0), fz = std::clamp(p.z * scale_.z - k, 0.0, 1.0);
-    std::array<glm::dvec3, 4> n = corner_normals(i, k);
-    for (glm::dvec3& corner : n) corner = unit_or_x(frame.normal(corner * scale_));
-    return (1.0 - fz) * ((1.0 - fx) * n[0] + fx * n[1]) + fz * ((1.0 - fx) * n[2] + fx * n[3]);
+    return blended(world_corners(frame, face / 2), p, face / 2);
+}
+
+void HeightField::world_gradients(const Transform& frame, std::span<const glm::dvec3> points,
+                                  std::span<const std::uint32_t> faces, glm::dvec3* out) const
+{
+    if (!grid_.smooth) {
+        for (std::size_t i = 0; i < points.size(); ++i) out[i] = frame.normal(gradient(points[i], faces[i]));
+        return;
+    }
+    // In pictures of many pixels a tile of rays meets few cells.
+    struct Known {
+        std::uint32_t cell = ~std::uint32_t{0};  // above all cells
+        Corners corners;
+    };
+    constexpr std::uint32_t kSide = 4;  // neighbours have places of their own
+    std::array<Known, kSide * kSide> known;
+    const std::uint32_t wide = grid_.columns - 1;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t cell = faces[i] / 2;
+        Known& at = known[cell / wide % kSide * kSide + cell % wide % kSide];
+        if (at.cell != cell) at = {cell, world_corners(frame, cell)};
+        out[i] = blended(at.corners, points[i], cell);
+    }
 }
 
 Aabb HeightField::extent() const

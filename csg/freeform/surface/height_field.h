@@ -32,6 +32,9 @@ public:
     glm::dvec3 gradient(const glm::dvec3&, std::uint32_t face) const;
     /// In the world, not normalised: blended there between the corners' if smooth.
     glm::dvec3 world_gradient(const Transform& frame, const glm::dvec3& p, std::uint32_t face) const;
+    /// Of many points: those of one cell share its corners.
+    void world_gradients(const Transform& frame, std::span<const glm::dvec3> points,
+                         std::span<const std::uint32_t> faces, glm::dvec3* out) const;
     /// Without a lower end: no finite box holds the solid.
     Aabb bounds() const { return empty() ? Aabb{} : Aabb::everything(); }
     Aabb drawn_bounds() const { return extent(); }
@@ -83,7 +86,10 @@ private:
         return {std::min(std::min(low[0], low[1]), std::min(high[0], high[1])),
                 std::max(std::max(low[0], low[1]), std::max(high[0], high[1]))};
     }
-    std::array<glm::dvec3, 4> corner_normals(std::uint32_t i, std::uint32_t k) const;
+    using Corners = std::array<glm::dvec3, 4>;
+    Corners corner_normals(std::uint32_t i, std::uint32_t k) const;
+    Corners world_corners(const Transform& frame, std::uint32_t cell) const;
+    glm::dvec3 blended(const Corners& n, const glm::dvec3& p, std::uint32_t cell) const;
     void build_blocks();
 
     Grid grid_;

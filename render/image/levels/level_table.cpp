@@ -2,6 +2,7 @@
 
 #include "render/image/levels/quantise.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace image {
@@ -36,7 +37,23 @@ LevelTable::LevelTable(const Transcoder& curve, int bits)
     std::size_t level = 0;
     for (std::uint32_t i = 0; i < levels_.size(); ++i) {
         while (float_of((kFirst + i) << kShift) >= begins_[level]) ++level;
-        levels_[i] = static_cast<std::uint8_t>(level);
+        levels_[i] = i == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(level);
+        steps_by_one_ = steps_by_one_ && (i == 0 || level - levels_[i - 1] <= 1);
+    }
+    steps_by_one_ = steps_by_one_ && most - level <= 1;
+}
+
+void LevelTable::round(const float* pixels, std::size_t count, std::uint16_t* out) const
+{
+    constexpr std::size_t kAtOnce = 64;  // pixels: their places are worked out in registers
+    std::array<std::uint32_t, 4 * kAtOnce> places;
+    for (std::size_t first = 0; first < count; first += kAtOnce) {
+        const std::size_t numbers = 4 * std::min(kAtOnce, count - first);
+        for (std::size_t i = 0; i < numbers; ++i) places[i] = place_of(pixels[i]);
+        for (std::size_t i = 0; i < numbers; i += 4, out += 3)
+            for (std::size_t c = i; c < i + 3; ++c)
+                out[c - i] = static_cast<std::uint16_t>(level(pixels[c], places[c]));
+        pixels += numbers;
     }
 }
 

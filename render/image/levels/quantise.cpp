@@ -49,12 +49,8 @@ RowQuantiser::RowQuantiser(int width, int height, const Encoding& encoding)
 
 void RowQuantiser::round(int row, const float* pixels, std::uint16_t* out)
 {
-    if (levels_ && !greyscale_ && !alpha_) {  // as nearly all pictures are: nothing to ask for each pixel
-        const LevelTable& level = *levels_;
-        for (int x = 0; x < width_; ++x, pixels += 4, out += 3)
-            for (int c = 0; c < 3; ++c) out[c] = level(pixels[c]);
-        return;
-    }
+    if (levels_ && !greyscale_ && !alpha_)  // as nearly all pictures are: nothing to ask for each pixel
+        return levels_->round(pixels, static_cast<std::size_t>(width_), out);
     for (int x = 0; x < width_; ++x, pixels += 4, out += channels_) {
         std::array<float, 4> pixel{pixels[0], pixels[1], pixels[2], pixels[3]};
         if (greyscale_) pixel[0] = pixel[1] = pixel[2] = luminance(pixel[0], pixel[1], pixel[2]);

@@ -25,11 +25,13 @@ struct SampleGrid {
 /// Traces samples: a whole grid, which can go in tiles, or a few that lie anywhere. Functions and their context, so
 /// that a block costs no allocation.
 struct SampleTracer {
-    void (*trace_grid)(void* context, const SampleGrid& grid, scene::Color* out);
+    /// \param stride  colours from one row to the next
+    void (*trace_grid)(void* context, const SampleGrid& grid, scene::Color* out, std::size_t stride);
     void (*trace_few)(void* context, const SamplePosition* positions, int count, scene::Color* out);
     void* context;
     bool in_order = false;  ///< no sample before the picture is known to need it: each takes the next random numbers
-    void grid(const SampleGrid& g, scene::Color* out) const { trace_grid(context, g, out); }
+    void grid(const SampleGrid& g, scene::Color* out) const { grid(g, out, static_cast<std::size_t>(g.columns)); }
+    void grid(const SampleGrid& g, scene::Color* out, std::size_t stride) const { trace_grid(context, g, out, stride); }
     void few(const SamplePosition* positions, int count, scene::Color* out) const
     {
         trace_few(context, positions, count, out);
@@ -59,9 +61,9 @@ struct BlockEdges {
 
 /// Working storage of one thread; reused from block to block.
 struct AntialiasScratch {
-    std::vector<scene::Color> colors;   ///< the block with a border of one pixel (method 1) or its corners (method 2)
-    std::vector<EncodedColor> samples;  ///< the same as differences see them, then refined pixels or what lies within
-    EncodedRows rows;                   ///< `colors` as differences see them
+    /// Of the block with a border of one pixel (method 1) or its corners (method 2), then refined pixels or what lies
+    /// within.
+    EncodedColors samples;
     std::vector<std::uint8_t>
         differing;                     ///< method 1: from which neighbours, by centre samples; method 2: 1: corners may
     std::vector<std::uint8_t> marked;  ///< method 1: supersampled
@@ -75,7 +77,6 @@ struct AntialiasScratch {
     int ordered_columns = 0, ordered_rows = 0;  ///< of this block
     std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
     std::vector<scene::Color> sub_colors;
-    std::vector<scene::Color> means;  ///< method 1: of the pixels that got more samples now
     BlockEdges edges;
     std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up; shared ones count for each
 };

@@ -31,7 +31,7 @@ void trace_block_grid(const SampleGrid& grid, const SampleTracer& tracer, Antial
 {
     BlockEdges& edges = scratch.edges;
     const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-    std::vector<scene::Color>& colors = scratch.colors;
+    std::vector<scene::Color>& colors = scratch.samples.colors;
     colors.resize(grid.count());
     if (tracer.in_order) return tracer.grid(grid, colors.data());
     const auto first = static_cast<std::size_t>(std::floor(grid.first.x + 1.0));  // a block's border is at -1
@@ -48,16 +48,11 @@ void trace_block_grid(const SampleGrid& grid, const SampleTracer& tracer, Antial
         const SampleGrid rest{grid.first + SamplePosition(skipped_columns, skipped_rows),
                               grid.columns - static_cast<int>(skipped_columns),
                               grid.rows - static_cast<int>(skipped_rows)};
-        scratch.sub_colors.resize(rest.count());
-        tracer.grid(rest, scratch.sub_colors.data());
-        const scene::Color* next = scratch.sub_colors.data();
-        for (std::size_t row = 0; row < rows; ++row)
-            for (std::size_t column = 0; column < columns; ++column) {
-                scene::Color& to = colors[row * columns + column];
-                if (left && column == 0) to = edges.right_colors[row];
-                else if (top && row == 0) to = edges.below[first + column].color;
-                else to = *next++;
-            }
+        tracer.grid(rest, colors.data() + skipped_rows * columns + skipped_columns, columns);
+        if (top)
+            for (std::size_t column = 0; column < columns; ++column) colors[column] = edges.below[first + column].color;
+        if (left)
+            for (std::size_t row = 0; row < rows; ++row) colors[row * columns] = edges.right_colors[row];
     }
     edges.right = grid.first + SamplePosition(grid.columns - 1, 0);
     edges.right_colors.resize(rows);

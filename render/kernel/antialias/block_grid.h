@@ -10,7 +10,7 @@ namespace trace {
 /// \param in_order  as they are
 void order_cells(int columns, int rows, bool in_order, AntialiasScratch& scratch);
 
-/// A block's grid of samples, into scratch.colors: its first column and row may be known from the blocks beside it.
+/// A block's grid of samples, into scratch.samples: its first column and row may be known from the blocks beside it.
 void trace_block_grid(const SampleGrid& grid, const SampleTracer& tracer, AntialiasScratch& scratch);
 
 }  // namespace trace

@@ -42,8 +42,8 @@ float ColorDistance::encode(float value) const
     return static_cast<float>(numbers::pow(std::max(v, 0.0), exponent_));
 }
 
-/// Components where they are; the vector is as long as a whole number of registers.
-void ColorDistance::encode_row(std::vector<float>& values) const
+/// Components where they are, a whole number of registers.
+void ColorDistance::encode_row(std::span<float> values) const
 {
     const FloatPart zero(0.0f), one(1.0f), exponent(float_of(exponent_));
     const auto within = [](const FloatPart& v) { return (v >= FloatPart(kLeastValue)) & (v <= FloatPart(kMostValue)); };
@@ -65,30 +65,34 @@ void ColorDistance::encode_row(std::vector<float>& values) const
     }
 }
 
-void ColorDistance::encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out,
-                           EncodedRows& rows) const
+void ColorDistance::encode(EncodedColors& of, std::size_t first) const
 {
-    // Apart from each other: what is written number by number can't be read as a register at once.
-    rows.resize((colors.size() + kFloatPart - 1) / kFloatPart * kFloatPart);
-    for (std::size_t i = 0; i < colors.size(); ++i) {
+    const std::size_t count = of.colors.size() - first,
+                      end = first + (count + kFloatPart - 1) / kFloatPart * kFloatPart;
+    const std::array<std::vector<float>*, 4> rows = {&of.red, &of.green, &of.blue, &of.transmit};
+    for (std::vector<float>* row : rows) row->resize(end);
+    // Apart from the powers: what is written number by number can't be read as a register at once.
+    float *red = of.red.data() + first, *green = of.green.data() + first, *blue = of.blue.data() + first,
+          *transmit = of.transmit.data() + first;
+    const scene::Color* colors = of.colors.data() + first;
+    for (std::size_t i = 0; i < count; ++i) {
         const scene::Color& c = colors[i];
-        rows.red[i] = c.red, rows.green[i] = c.green, rows.blue[i] = c.blue, rows.transmit[i] = c.transmit;
+        red[i] = c.red, green[i] = c.green, blue[i] = c.blue, transmit[i] = c.transmit;
     }
-    for (std::vector<float>* row : {&rows.red, &rows.green, &rows.blue})
-        if (in_lanes_) encode_row(*row);
-        else std::transform(row->begin(), row->end(), row->begin(), [this](float value) { return encode(value); });
-    const std::size_t first = out.size();
-    out.resize(first + colors.size());
-    EncodedColor* to = out.data() + first;
-    for (std::size_t i = 0; i < colors.size(); ++i) to[i] = {colors[i], rows.red[i], rows.green[i], rows.blue[i]};
+    for (std::vector<float>* row : rows)
+        std::fill(row->begin() + static_cast<std::ptrdiff_t>(first + count), row->end(), 0.0f);
+    for (float* row : {red, green, blue}) {
+        const std::span<float> values(row, end - first);
+        if (in_lanes_) encode_row(values);
+        else std::transform(row, row + count, row, [this](float value) { return encode(value); });
+    }
 }
 
-void ColorDistance::mark_unsure(const EncodedRows& rows, std::size_t from, std::size_t count,
+void ColorDistance::mark_unsure(const EncodedColors& of, std::size_t from, std::size_t count,
                                 std::span<const std::size_t> offsets, std::uint8_t flag, std::uint8_t* out) const
 {
     constexpr float kRoundings = 1e-5f;  // of the largest components: differ()'s room, and this sum's own
-    const std::array<const float*, 4> parts = {rows.red.data(), rows.green.data(), rows.blue.data(),
-                                               rows.transmit.data()};
+    const std::array<const float*, 4> parts = {of.red.data(), of.green.data(), of.blue.data(), of.transmit.data()};
     const FloatPart threshold(static_cast<float>(threshold_));
     const auto sure_at = [&](std::size_t i) {
         FloatPart apart(0.0f), size(0.0f);

@@ -19,14 +19,13 @@ struct EncodedColor {
     float red, green, blue;
 };
 
-/// The same of many colours, component by component: what is compared in lanes.
-struct EncodedRows {
-    std::vector<float> red, green, blue, transmit;
+/// Many colours, and component by component as differences see them, which is compared in lanes.
+struct EncodedColors {
+    std::vector<scene::Color> colors;
+    std::vector<float> red, green, blue, transmit;  ///< as long as a whole number of registers from what came last
 
-    void resize(std::size_t count)
-    {
-        red.resize(count), green.resize(count), blue.resize(count), transmit.resize(count);
-    }
+    EncodedColor operator[](std::size_t i) const { return {colors[i], red[i], green[i], blue[i]}; }
+    std::size_t size() const { return colors.size(); }
 };
 
 /// How different two colours look: spec 2, 8.1.
@@ -34,12 +33,12 @@ class ColorDistance {
 public:
     ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma);
     EncodedColor encoded(const scene::Color& c) const { return {c, encode(c.red), encode(c.green), encode(c.blue)}; }
-    /// Appends the colours, and puts these alone into `rows`. Powers in lanes: the last digits are not encoded()'s,
-    /// what differ() says of them is.
-    void encode(std::span<const scene::Color> colors, std::vector<EncodedColor>& out, EncodedRows& rows) const;
+    /// Of the colours from `first` on. Powers in lanes: the last digits are not encoded()'s, what differ() says of them
+    /// is.
+    void encode(EncodedColors& of, std::size_t first) const;
     /// Adds `flag` to out[i], i < count, where two of the colours `from` + i + offset may differ; the others surely
     /// don't.
-    void mark_unsure(const EncodedRows& rows, std::size_t from, std::size_t count, std::span<const std::size_t> offsets,
+    void mark_unsure(const EncodedColors& of, std::size_t from, std::size_t count, std::span<const std::size_t> offsets,
                      std::uint8_t flag, std::uint8_t* out) const;
     bool differ(const EncodedColor& a, const EncodedColor& b) const
     {
@@ -52,14 +51,14 @@ public:
         return d >= threshold_;
     }
     /// No two of these differ: not even the ranges of their components add up to the threshold. False: they may.
-    bool surely_alike(const std::array<const EncodedColor*, 4>& colors) const
+    bool surely_alike(const std::array<EncodedColor, 4>& colors) const
     {
         constexpr double kRoundings = 1e-5;  // of the largest components: differ()'s room, and this sum's own
         double apart = 0.0, size = 0.0;
         const auto add = [&](auto&& component) {
-            float low = component(*colors[0]), high = low;
+            float low = component(colors[0]), high = low;
             for (std::size_t i = 1; i < colors.size(); ++i) {
-                const float v = component(*colors[i]);
+                const float v = component(colors[i]);
                 low = v < low ? v : low;
                 high = v > high ? v : high;
                 size += static_cast<double>(v - v);  // no number: nothing is sure
@@ -88,7 +87,7 @@ private:
                                    std::abs(b.color.transmit));
     }
     float encode(float value) const;
-    void encode_row(std::vector<float>& values) const;
+    void encode_row(std::span<float> values) const;
 
     double exponent_;
     double threshold_;

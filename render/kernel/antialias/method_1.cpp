@@ -46,7 +46,7 @@ public:
         const auto width = static_cast<std::size_t>(block_.width);
         for (int row = 0; row < block_.height; ++row, out += width) {
             const std::size_t first = index(0, row);
-            std::copy_n(scratch_.colors.data() + first, width, out);
+            std::copy_n(scratch_.samples.colors.data() + first, width, out);
             const std::uint8_t* marked = scratch_.marked.data() + first;
             for (std::size_t i = next_set(marked, 0, width); i < width; i = next_set(marked, i + 1, width)) {
                 out[i] = now(first + i).color;
@@ -78,22 +78,21 @@ private:
         const SampleGrid grid{{block_.left - 1, block_.top - 1}, block_.width + 1, block_.height + 1};
         scratch_.places.assign(grid.count(), kNoPlace);
         trace_block_grid(grid, tracer_, scratch_);
-        scratch_.samples.clear();
-        distance_.encode(scratch_.colors, scratch_.samples, scratch_.rows);
+        distance_.encode(scratch_.samples, 0);
         order_cells(grid.columns, grid.rows, tracer_.in_order, scratch_);
     }
 
     void compare_centres()
     {
-        const EncodedColor* samples = scratch_.samples.data();
+        const EncodedColors& samples = scratch_.samples;
         scratch_.differing.assign(scratch_.samples.size(), 0);
         const std::array<std::size_t, 2> left{1, 0}, up{stride_, 0};
         const auto width = static_cast<std::size_t>(block_.width);
         for (int row = 0; row < block_.height; ++row) {
             const std::size_t first = index(0, row);
             std::uint8_t* flags = scratch_.differing.data() + first;
-            distance_.mark_unsure(scratch_.rows, first - 1, width, left, kLeft, flags);
-            distance_.mark_unsure(scratch_.rows, first - stride_, width, up, kUp, flags);
+            distance_.mark_unsure(samples, first - 1, width, left, kLeft, flags);
+            distance_.mark_unsure(samples, first - stride_, width, up, kUp, flags);
             for (std::size_t i = next_set(flags, 0, width); i < width; i = next_set(flags, i + 1, width)) {
                 const std::size_t here = first + i;
                 const bool from_left = (flags[i] & kLeft) != 0 && distance_.differ(samples[here - 1], samples[here]),
@@ -121,7 +120,7 @@ private:
     }
 
     /// Means of more samples follow the centres.
-    const EncodedColor& now(std::size_t pixel) const
+    EncodedColor now(std::size_t pixel) const
     {
         const std::uint32_t place = scratch_.places[pixel];
         return scratch_.samples[scratch_.marked[pixel] != 0 && place != kNoPlace ? place : pixel];
@@ -176,14 +175,14 @@ private:
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
                     scratch_.sub_colors.data());
         const scene::Color* next = scratch_.sub_colors.data();
-        scratch_.means.clear();
+        const std::size_t known = scratch_.samples.size();
         for (const std::size_t pixel : scratch_.refined) {
-            scene::Color sum = scratch_.samples[pixel].color;
+            scene::Color sum = scratch_.samples.colors[pixel];
             for (std::size_t i = 0; i < samples_of_pixel(); ++i) add(sum, *next++);
-            scratch_.places[pixel] = static_cast<std::uint32_t>(scratch_.samples.size() + scratch_.means.size());
-            scratch_.means.push_back(divided(sum, n * n + 1));
+            scratch_.places[pixel] = static_cast<std::uint32_t>(scratch_.samples.size());
+            scratch_.samples.colors.push_back(divided(sum, n * n + 1));
         }
-        distance_.encode(scratch_.means, scratch_.samples, scratch_.rows);
+        distance_.encode(scratch_.samples, known);
         scratch_.refined.clear();
         asked_ = false;
     }

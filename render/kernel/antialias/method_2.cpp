@@ -27,8 +27,7 @@ public:
     {
         const SampleGrid corners{{block_.left - 0.5, block_.top - 0.5}, block_.width + 1, block_.height + 1};
         trace_block_grid(corners, tracer_, scratch_);
-        scratch_.samples.clear();
-        distance_.encode(scratch_.colors, scratch_.samples, scratch_.rows);
+        distance_.encode(scratch_.samples, 0);
         // As many pixels at a time as their squares, all of them divided, take a few megabytes.
         constexpr std::size_t kSquares = 16384, kMostPixels = 1024;
         const std::size_t at_once = tracer_.in_order ? 1
@@ -54,8 +53,8 @@ private:
         scratch_.differing.assign(width * height, 0);
         for (std::size_t row = 0; row < height; ++row) {
             std::uint8_t* unsure = scratch_.differing.data() + row * width;
-            distance_.mark_unsure(scratch_.rows, row * stride, width, corners, 1, unsure);
-            const scene::Color* at = scratch_.colors.data() + row * stride;
+            distance_.mark_unsure(scratch_.samples, row * stride, width, corners, 1, unsure);
+            const scene::Color* at = scratch_.samples.colors.data() + row * stride;
             for (std::size_t i = 0; i < width; ++i)
                 if (unsure[i] == 0) out[row * width + i] = mean(at[i], at[i + stride], at[i + 1], at[i + stride + 1]);
         }
@@ -75,7 +74,7 @@ private:
     void run(std::span<const std::uint32_t> pixels, std::size_t corners)
     {
         const auto width = static_cast<std::uint32_t>(block_.width), stride = width + 1;
-        scratch_.samples.resize(corners);
+        scratch_.samples.colors.resize(corners);
         scratch_.squares.clear();
         for (const std::uint32_t i : pixels) {
             const std::uint32_t row = i / width, column = i % width, at = row * stride + column;
@@ -96,7 +95,7 @@ private:
             AntialiasSquare& square = scratch_.squares[i];
             const auto part = [&](std::size_t k) {
                 return square.quarters != 0 ? scratch_.squares[square.quarters + k].mean
-                                            : scratch_.samples[square.corners[k]].color;
+                                            : scratch_.samples.colors[square.corners[k]];
             };
             square.mean = mean(part(0), part(1), part(2), part(3));
         }
@@ -117,11 +116,11 @@ private:
         scratch_.places.assign(room, kNoPlace);
         const auto first_sample = static_cast<std::uint32_t>(scratch_.samples.size());
         for (const std::size_t i : scratch_.refined) quarter(i, first_sample);
-        scratch_.sub_colors.resize(scratch_.sub_positions.size());
+        scratch_.samples.colors.resize(first_sample + scratch_.sub_positions.size());
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
-                    scratch_.sub_colors.data());
+                    scratch_.samples.colors.data() + first_sample);
         scratch_.supersamples += scratch_.sub_positions.size();
-        distance_.encode(scratch_.sub_colors, scratch_.samples, scratch_.rows);
+        distance_.encode(scratch_.samples, first_sample);
     }
 
     void quarter(std::size_t i, std::uint32_t first_sample)
@@ -173,11 +172,11 @@ private:
     {
         const auto& at = square.corners;
         const auto& samples = scratch_.samples;
-        if (distance_.surely_alike({&samples[at[0]], &samples[at[1]], &samples[at[2]], &samples[at[3]]})) return false;
+        const std::array<EncodedColor, 4> corners{samples[at[0]], samples[at[1]], samples[at[2]], samples[at[3]]};
+        if (distance_.surely_alike(corners)) return false;
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = i + 1; j < 4; ++j)
-                if (distance_.differ(scratch_.samples[square.corners[i]], scratch_.samples[square.corners[j]]))
-                    return true;
+                if (distance_.differ(corners[i], corners[j])) return true;
         return false;
     }
 

@@ -3,7 +3,7 @@
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
-#include "render/texture/quilt.h"
+#include "render/texture/patterns/turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +39,7 @@ double gradient(const Pattern& pattern, const glm::dvec3& p)
 
 double onion(const glm::dvec3& p) { return numbers::fmod(glm::length(p), 1.0); }
 
-double radial(const glm::dvec3& p)
-{
-    constexpr double kAxis = 0.001;  // POV-Ray's: nearer to the y axis than this counts as on it
-    if (std::abs(p.x) < kAxis && std::abs(p.z) < kAxis) return 0.25;
-    return 0.25 + (numbers::atan2(p.x, p.z) + std::numbers::pi) / kTau;
-}
+double radial(const glm::dvec3& p) { return radial(p.x, p.z); }
 
 double leopard(const glm::dvec3& p)
 {
@@ -61,9 +56,7 @@ double cells(const glm::dvec3& p)
 
 double quilted(const Pattern& pattern, const glm::dvec3& p)
 {
-    const glm::dvec3 u = quilt_offset(p);
-    const double k = quilt_height(glm::length(u), pattern.numbers[0], pattern.numbers[1]);
-    return (std::abs(k * u.x) + std::abs(k * u.y) + std::abs(k * u.z)) / 3.0;
+    return quilted(p.x, p.y, p.z, pattern.numbers[0], pattern.numbers[1]);
 }
 
 double ripples(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p)

@@ -2,6 +2,7 @@
 #include "render/texture/points/angle.h"
 #include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
+#include "render/texture/patterns/turning.h"
 
 #include <cmath>
 #include <numbers>
@@ -36,6 +37,18 @@ void sum_over_sources(const TextureSet& set, const Points& p, F&& wave, Values& 
 }
 
 }  // namespace
+
+void radial_values(const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes) radial(get(p.x, i), get(p.z, i)).store_aligned(out.data() + i);
+}
+
+void quilted_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    for (std::size_t i = 0; i < p.size(); i += kLanes)
+        quilted(get(p.x, i), get(p.y, i), get(p.z, i), pattern.numbers[0], pattern.numbers[1])
+            .store_aligned(out.data() + i);
+}
 
 void leopard_values(const Points& p, Values& out)
 {

@@ -3,6 +3,7 @@
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
 #include "render/texture/patterns/patterns.h"
+#include "render/texture/patterns/turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,10 @@ double turbulence_at(const Pattern& pattern, const glm::dvec3& p)
     return scalar_turbulence(p, t.octaves, t.lambda, t.omega, pattern.noise_generator);
 }
 
-/// Angle of a spiral's arm about z, from the arc sine of y / r: 0 to 2 pi.
-double arm_angle(const glm::dvec3& p, double r)
+/// With the turbulence where the pattern has one.
+double turbulent_spiral(const Pattern& pattern, const glm::dvec3& p)
 {
-    if (r == 0.0) return 0.0;
-    const double a = numbers::asin(p.y / r);
-    return p.x >= 0.0 ? std::numbers::pi / 2 + a : 3 * std::numbers::pi / 2 - a;
-}
-
-/// z + r + arms * angle / 2 pi, plus the turbulence where the pattern has one.
-double spiral_phase(const Pattern& pattern, const glm::dvec3& p, double r)
-{
-    const double arms = std::trunc(pattern.numbers[0]);
-    const double base = p.z + r + arms * arm_angle(p, r) / kTau;
+    const double base = spiral_phase(std::trunc(pattern.numbers[0]), p.x, p.y, p.z);
     return pattern.has_turbulence ? base + pattern.turbulence.amount.x * turbulence_at(pattern, p) : base;
 }
 
@@ -83,15 +75,11 @@ double wood_ring(const Pattern& pattern, double px, double py, double dx, double
     return std::sqrt(x * x + y * y);
 }
 
-double spiral1(const Pattern& pattern, const glm::dvec3& p)
-{
-    return spiral_phase(pattern, p, std::sqrt(p.x * p.x + p.y * p.y));
-}
+double spiral1(const Pattern& pattern, const glm::dvec3& p) { return turbulent_spiral(pattern, p); }
 
 double spiral2(const Pattern& pattern, const glm::dvec3& p)
 {
-    const double r = std::sqrt(p.x * p.x + p.y * p.y);
-    return triangle(r) + triangle(spiral_phase(pattern, p, r));
+    return triangle(spiral_radius(p.x, p.y)) + triangle(turbulent_spiral(pattern, p));
 }
 
 }  // namespace texture

@@ -5,6 +5,7 @@
 #include "render/texture/evaluate.h"
 #include "render/texture/function_host.h"
 #include "render/texture/patterns/patterns.h"
+#include "render/texture/patterns/turning.h"
 
 #include <cmath>
 

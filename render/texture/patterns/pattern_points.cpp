@@ -7,6 +7,7 @@
 #include "render/texture/entries.h"
 #include "render/texture/points/point_lanes.h"
 #include "render/texture/patterns/patterns.h"
+#include "render/texture/patterns/turning.h"
 
 #include <algorithm>
 #include <bit>
@@ -86,6 +87,20 @@ void boxed_values(const Points& p, Values& out)
 
 /// Whether v modulo 2 is 1, as floor_mod() of the single points has it.
 auto odd(const Double& v) { return v - Double(2.0) * xsimd::floor(v / Double(2.0)) == Double(1.0); }
+
+void spiral_values(const Pattern& pattern, const Points& p, Values& out)
+{
+    const double arms = std::trunc(pattern.numbers[0]);
+    const Double amount(pattern.turbulence.amount.x);
+    if (pattern.has_turbulence) turbulence_values(pattern, p, out);
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double x = get(p.x, i), y = get(p.y, i);
+        Double phase = spiral_phase(arms, x, y, get(p.z, i));
+        if (pattern.has_turbulence) phase = phase + amount * get(out, i);
+        if (pattern.kind == PatternKind::Spiral2) phase = triangle(spiral_radius(x, y)) + triangle(phase);
+        phase.store_aligned(out.data() + i);
+    }
+}
 
 void checker_values(const Points& p, Values& out)
 {
@@ -237,6 +252,10 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Function: return function_values(set, pattern, p, out);
     case PatternKind::Image: return image_values(set.images[pattern.data], p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);
+    case PatternKind::Spiral1:
+    case PatternKind::Spiral2: return spiral_values(pattern, p, out);
+    case PatternKind::Radial: return radial_values(p, out);
+    case PatternKind::Quilted: return quilted_values(pattern, p, out);
     case PatternKind::Leopard: return leopard_values(p, out);
     case PatternKind::Ripples: return ripples_values(set, pattern, p, out);
     case PatternKind::Waves: return waves_values(set, pattern, p, out);

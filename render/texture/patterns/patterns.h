@@ -53,6 +53,8 @@ double quilted(const Pattern& pattern, const glm::dvec3& p);
 double ripples(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
 double waves(const TextureSet& set, const Pattern& pattern, const glm::dvec3& p);
 /// The same of each point; padded.
+void radial_values(const Points& p, Values& out);
+void quilted_values(const Pattern& pattern, const Points& p, Values& out);
 void leopard_values(const Points& p, Values& out);
 void ripples_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);
 void waves_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);

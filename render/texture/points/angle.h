@@ -54,11 +54,4 @@ inline double series_cycle(double v)
     return v >= 0.0 ? s : -s;
 }
 
-/// 0 to 1 and back over one unit.
-inline double triangle(double v)
-{
-    const double o = v >= 0.0 ? v - std::floor(v) : v + 1.0 + std::floor(std::abs(v));
-    return o < 0.5 ? 2.0 * o : 2.0 * (1.0 - o);
-}
-
 }  // namespace texture

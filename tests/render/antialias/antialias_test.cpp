@@ -22,12 +22,12 @@ struct Formula {
     std::function<float(double, double)> grey;
     std::map<std::pair<double, double>, int> asked;
 
-    static void trace_grid(void* context, const trace::SampleGrid& grid, scene::Color* out)
+    static void trace_grid(void* context, const trace::SampleGrid& grid, scene::Color* out, std::size_t stride)
     {
-        for (int row = 0; row < grid.rows; ++row)
+        for (int row = 0; row < grid.rows; ++row, out += stride)
             for (int column = 0; column < grid.columns; ++column) {
                 const SamplePosition p = grid.first + SamplePosition(column, row);
-                trace_few(context, &p, 1, out++);
+                trace_few(context, &p, 1, out + column);
             }
     }
 
@@ -283,9 +283,8 @@ TEST_CASE("colours encoded together differ as each by itself", "[render][antiali
                                 std::abs(a.color.transmit - b.color.transmit);
             for (const double threshold : {0.3, static_cast<double>(apart)}) {
                 const trace::ColorDistance distance(plain(2.5, threshold), gamma);
-                std::vector<trace::EncodedColor> together;
-                trace::EncodedRows rows;
-                distance.encode(colors, together, rows);
+                trace::EncodedColors together{colors, {}, {}, {}, {}};
+                distance.encode(together, 0);
                 REQUIRE(together.size() == colors.size());
                 for (std::size_t i = 0; i < colors.size(); ++i)
                     for (std::size_t k = 0; k < colors.size(); ++k)
@@ -331,9 +330,8 @@ TEST_CASE("colours encoded together are close enough for differ()", "[render][an
                 const float scale = std::exp2(8.0f - 20.0f * unit(random));
                 colors.push_back({scale * unit(random), scale * unit(random), scale * unit(random), 0, 0});
             }
-            std::vector<trace::EncodedColor> together;
-            trace::EncodedRows rows;
-            distance.encode(colors, together, rows);
+            trace::EncodedColors together{colors, {}, {}, {}, {}};
+            distance.encode(together, 0);
             double worst = 0.0;
             for (std::size_t i = 0; i < colors.size(); ++i) {
                 const double wanted = static_cast<double>(distance.encoded(colors[i]).red);
@@ -360,11 +358,10 @@ TEST_CASE("colours that are not marked surely do not differ", "[render][antialia
             c = {base + apart * unit(random), base + apart * unit(random), base, 0, apart * unit(random)};
         if (round % 7 == 0) colors[5].green = std::nanf("");
         if (round % 11 == 0) colors[kStride + 9].red = 1e30f;
-        std::vector<trace::EncodedColor> encoded;
-        trace::EncodedRows rows;
-        distance.encode(colors, encoded, rows);
+        trace::EncodedColors encoded{colors, {}, {}, {}, {}};
+        distance.encode(encoded, 0);
         std::vector<std::uint8_t> flags(kWidth, 0);
-        distance.mark_unsure(rows, 0, kWidth, corners, 4, flags.data());
+        distance.mark_unsure(encoded, 0, kWidth, corners, 4, flags.data());
         for (std::size_t i = 0; i < kWidth; ++i) {
             bool differ = false;
             for (const std::size_t a : corners)
