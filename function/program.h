@@ -91,21 +91,22 @@ public:
     virtual double pattern(std::uint32_t slot, const glm::dvec3& p) const = 0;
     /// red, green, blue, filter, transmit
     virtual std::array<double, 5> pigment(std::uint32_t slot, const glm::dvec3& p) const = 0;
-    /// noise() of eight points, with the same bits; coordinates and results are aligned to 64 bytes, here and below.
+    /// noise() of eight points, with the same bits; coordinates and results are aligned to 64 bytes.
     virtual void noises(const double* x, const double* y, const double* z, int generator, double* out) const
     {
         for (int i = 0; i < 8; ++i) out[i] = noise({x[i], y[i], z[i]}, generator);
     }
-    /// pattern() of eight points, with the same bits.
-    virtual void patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const
+    /// pattern() of eight points or up to eight times as many, with the same bits.
+    virtual void patterns(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
+                          double* out) const
     {
-        for (int i = 0; i < 8; ++i) out[i] = pattern(slot, {x[i], y[i], z[i]});
+        for (std::size_t i = 0; i < count; ++i) out[i] = pattern(slot, {x[i], y[i], z[i]});
     }
-    /// pigment() of eight points, with the same bits; component k of all goes to out[k].
-    virtual void pigments(std::uint32_t slot, const double* x, const double* y, const double* z,
+    /// pigment() of as many; component k of all goes to out[k].
+    virtual void pigments(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
                           const std::array<double*, 5>& out) const
     {
-        for (int i = 0; i < 8; ++i) {
+        for (std::size_t i = 0; i < count; ++i) {
             const std::array<double, 5> c = pigment(slot, {x[i], y[i], z[i]});
             for (std::size_t k = 0; k < c.size(); ++k) out[k][i] = c[k];
         }

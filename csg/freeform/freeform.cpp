@@ -214,6 +214,16 @@ Aabb Freeform::drawn_bounds() const
         shape->kind));
 }
 
+Aabb Freeform::space() const
+{
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.space(); }) return kind.space();
+            else return kind.bounds();
+        },
+        shape->kind);
+}
+
 Aabb Freeform::in_world(const Aabb& local) const
 {
     return local.empty() || !local.finite() ? local : padded(transformed_box(frame, local));

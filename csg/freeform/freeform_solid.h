@@ -60,6 +60,7 @@ struct Freeform {
     void shares(const glm::dvec3& p, std::vector<Share>& out) const;
     Aabb bounds() const;
     Aabb drawn_bounds() const;  ///< of what can be seen of it
+    Aabb space() const;         ///< of the solid, in its own space
 
 private:
     Aabb in_world(const Aabb& local) const;

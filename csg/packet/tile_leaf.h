@@ -3,6 +3,7 @@
 #include "csg/packet/lanes/extrusion_sieve.h"
 #include "csg/packet/lane_front.h"
 #include "csg/packet/lanes/lane_torus.h"
+#include "csg/packet/merged_ends.h"
 #include "csg/packet/mesh_rays.h"
 #include "csg/packet/boolean/packed_boolean.h"
 #include "csg/packet/tile_walk.h"
@@ -196,9 +197,62 @@ private:
         for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
     }
 
+    bool serves_merged(const WorldItem& item) const
+    {
+        return !item.boolean && !world.programs[item.program].merged.empty() && query.first_only(item);
+    }
+
+    /// A merge of many solids, by their drawn ends. Returns the rays that remain to be asked otherwise.
+    [[gnu::noinline]] RayMask by_merged(std::uint32_t index, RayMask mask) const
+    {
+        const Program& program = world.programs[world.items[index].program];
+        MergedEnds ends(program, world.store, query.scratch().merged_ends());
+        for (std::uint32_t s = 0; s < program.merged.size(); ++s) {
+            const MergedSolid& of = program.merged[s];
+            const RayMask asked = rays.intersect(of.drawn.lower, of.drawn.upper, mask);
+            if (asked == 0) continue;
+            const PartId part = program.nodes[of.node].solid;
+            const auto offer = [&](std::size_t k, double t, std::uint32_t face) {
+                if (t >= rays.t_min[k] && t <= rays.limit[k] && face != kUndrawnFace && t < kInfinity)
+                    ends.add(k, s, t, face);
+            };
+            with_solid(world.store, part, [&](const auto& solid) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
+                    const RayBatch& batch = told_of(solid, asked, false);
+                    for (std::size_t i = 0; i < batch.count; ++i)
+                        batch.records[i].each_span(
+                            [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                                offer(batch.place[i], in, in_face);
+                                offer(batch.place[i], out, out_face);
+                            });
+                } else {
+                    each_ray(asked, [&](std::size_t k) {
+                        const Ray ray = rays.ray(static_cast<int>(k));
+                        each_span_of(solid, ray, false, rays.t_min[k], rays.limit[k], origin_reach(ray), {},
+                                     query.scratch().leaf_spans(program.nodes[of.node].max_spans),
+                                     [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
+                                         offer(k, in, in_face);
+                                         offer(k, out, out_face);
+                                     });
+                    });
+                }
+            });
+        }
+        RayMask unclear = 0;
+        each_ray(mask, [&](std::size_t k) {
+            Crossing seen;
+            const auto answer = rays.limit[k] < 0.0 ? MergedEnds::Answer::Nothing
+                                                    : ends.nearest(k, rays.ray(static_cast<int>(k)), seen);
+            if (answer == MergedEnds::Answer::Seen) query.hit(index, k, hit_of(world.store, seen));
+            else if (answer == MergedEnds::Answer::Unclear) unclear |= RayMask{1} << k;
+        });
+        return unclear;
+    }
+
     /// A CSG object of which some leaf answers many rays together: these first, then ray by ray.
     void fetched(std::uint32_t index, RayMask mask) const
     {
+        if (serves_merged(world.items[index])) mask = by_merged(index, mask);
         FetchedSpans& known = query.scratch().fetched;
         for (const Node& node : world.programs[world.items[index].program].nodes) {
             if (node.op != Op::Leaf || kind_of(node.solid) != SolidKind::Freeform) continue;

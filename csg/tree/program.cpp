@@ -315,6 +315,41 @@ void add_sieves(Program& program)
     }
 }
 
+/// The operands of a program that merges many solids, all of which are drawn at their ends alone.
+std::vector<MergedSolid> merged_solids(const Program& program, const SolidStore& store)
+{
+    constexpr std::size_t kFewest = 8;
+    std::vector<MergedSolid> out;
+    if (program.nodes[0].op != Op::Merge) return out;
+    for (std::uint32_t i = 1; i < program.nodes.size(); ++i) {
+        const Node& node = program.nodes[i];
+        if (node.op != Op::Leaf || node.inverted || node.draws_alone || node.max_spans == 0) return {};
+        MergedSolid made{.node = i};
+        Transform frame;
+        Aabb space;
+        with_solid(store, node.solid, [&](const auto& solid) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
+                made.drawn = solid.drawn_bounds();
+                frame = solid.frame;
+                space = solid.space();
+            } else {
+                made.drawn = space = solid.bounds();
+            }
+        });
+        const glm::dmat3 rows = glm::transpose(frame.inverse_linear);
+        for (int axis = 0; axis < 3; ++axis) {
+            made.rows[static_cast<std::size_t>(axis)] = rows[axis];
+            made.size[axis] = glm::length(rows[axis]);
+        }
+        made.offset = frame.offset;
+        made.lower = space.lower;
+        made.upper = space.upper;
+        out.push_back(made);
+    }
+    if (out.size() < kFewest) out.clear();
+    return out;
+}
+
 }  // namespace
 
 Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
@@ -332,6 +367,7 @@ Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
     program.inside_beyond = draft.inside_beyond;
     program.products = sum_of_products(program, store);
     program.boolean = boolean_form(program, store);
+    program.merged = merged_solids(program, store);
     return program;
 }
 

@@ -65,13 +65,34 @@ struct alignas(64) OperandSieve {
     std::uint32_t node[8];  ///< among Program::nodes
 };
 
+/// An operand of a merge that is asked for its drawn ends, and whether it holds those of the others.
+struct MergedSolid {
+    std::uint32_t node = 0;             ///< among Program::nodes
+    Aabb drawn;                         ///< box of what can be seen of it
+    std::array<glm::dvec3, 3> rows;     ///< from the world into a space of its own,
+    glm::dvec3 offset{0.0}, size{0.0};  ///< this subtracted before; size: how long the rows are
+    glm::dvec3 lower{0.0}, upper{0.0};  ///< in that space nothing of the solid lies beyond these
+
+    /// Whether something of it may lie so near to a place of the world.
+    bool comes_near(const glm::dvec3& p, double distance) const
+    {
+        const glm::dvec3 beside = p - offset;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = glm::dot(rows[static_cast<std::size_t>(axis)], beside), room = distance * size[axis];
+            if (at + room < lower[axis] || at - room > upper[axis]) return false;
+        }
+        return true;
+    }
+};
+
 /// A flattened CSG tree. Immutable once built; shared by all threads.
 struct Program {
     std::vector<Node> nodes;  ///< empty: nothing to draw, nothing inside
     std::vector<OperandSieve> sieves;
-    Aabb bounds;                    ///< world box of everything drawn; empty when nothing is
-    bool inside_beyond = false;     ///< the solid goes on outside the bounds
-    SumOfProducts products;         ///< the same as a union of terms, where it can be written so
+    std::vector<MergedSolid> merged;  ///< all operands of a merge of many solids; else none
+    Aabb bounds;                      ///< world box of everything drawn; empty when nothing is
+    bool inside_beyond = false;       ///< the solid goes on outside the bounds
+    SumOfProducts products;           ///< the same as a union of terms, where it can be written so
     BooleanForm boolean;            ///< the same for rays in lanes: what decides which ends are drawn, where its leaves
                                     ///< are few and simple
     std::uint32_t span_memory = 0;  ///< spans of scratch one query needs
@@ -91,6 +112,12 @@ Program build(const Tree& tree, const SolidStore& store, Pruning* pruning = null
 struct OrderedItem {
     double entry;
     std::uint32_t item;
+};
+
+/// Where a ray passes a drawn end of a solid of Program::merged, and the next of the ray.
+struct MergedEnd {
+    double t;
+    std::uint32_t face, solid, next;
 };
 
 /// Where a ray passes an end of a leaf, as Evaluation sorts them.
@@ -171,6 +198,8 @@ public:
     /// What leaves of the object at hand have told already.
     FetchedSpans fetched;
 
+    /// Ends of a merge's solids; kept for its memory.
+    std::vector<MergedEnd>& merged_ends() { return merged_ends_; }
     /// Items that wait for others to be asked first; kept for its memory.
     std::vector<OrderedItem>& ordered_items() { return ordered_items_; }
     /// What lies in one place: items, and a hit of each.
@@ -206,6 +235,7 @@ private:
     std::unique_ptr<ProductPiece[]> pieces_;
     std::unique_ptr<RayBatch> batch_;
     std::vector<Hit> hits_, instance_hits_;
+    std::vector<MergedEnd> merged_ends_;
     std::vector<OrderedItem> ordered_items_;
     std::vector<std::uint32_t> tied_items_;
     std::vector<Hit> tied_hits_;

@@ -62,8 +62,9 @@ double FunctionField::value(const glm::dvec3& p) const
 
 void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
 {
-    static_assert(sizeof p == kCoordinates * sizeof(double[kLanes]));  // x, y and z behind each other
-    current.lanes(*function_, reinterpret_cast<const double(*)[kLanes]>(&p), *host_, 1, out.v);
+    const double* const arguments[kCoordinates] = {p.x.v, p.y.v, p.z.v};
+    double* const values = out.v;
+    current.lanes(*function_, arguments, kLanes, *host_, 1, &values);
 }
 
 void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const

@@ -11,8 +11,8 @@ namespace function {
 struct Evaluators {
     double (*one)(const Function& function, const double* arguments, const Host& host);
     std::array<double, 5> (*all)(const Function& function, const double* arguments, const Host& host);
-    void (*lanes)(const Function& function, const double (*arguments)[8], const Host& host, std::uint32_t components,
-                  double* out);
+    void (*lanes)(const Function& function, const double* const* arguments, std::size_t count, const Host& host,
+                  std::uint32_t components, double* const* out);
     void (*intervals)(const Function& function, const double (*low)[8], const double (*high)[8], const Host& host,
                       double* out_low, double* out_high);
     bool (*along)(const Function& function, const csg::FieldStretch& stretch, csg::FieldPolynomial& out);

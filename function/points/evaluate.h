@@ -4,8 +4,9 @@
 
 namespace function {
 
-/// Points per lane call.
+/// Points in lanes together.
 inline constexpr int kLanes = 8;
+inline constexpr std::size_t kMostTogether = 64;  ///< points of a call
 
 using Values = std::array<double, 5>;
 
@@ -14,10 +15,10 @@ Values evaluate_all(const Function& function, const double* arguments, const Hos
 /// Its first component.
 double evaluate(const Function& function, const double* arguments, const Host& host);
 
-/// The first `components` at eight points: arguments[i][lane], out[component * kLanes + lane]. Equal to evaluate_all()
-/// bit for bit.
-void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host,
-                    std::uint32_t components, double* out);
+/// The first `components` at so many points, a multiple of kLanes up to kMostTogether: arguments[i][point],
+/// out[component][point]. Equal to evaluate_all() bit for bit.
+void evaluate_lanes(const Function& function, const double* const* arguments, std::size_t count, const Host& host,
+                    std::uint32_t components, double* const* out);
 
 /// Any host for functions that ask nothing of the scene.
 const Host& no_host();

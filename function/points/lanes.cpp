@@ -163,8 +163,9 @@ struct Rules<Eight> {
     {
         if (const auto* use = std::get_if<SceneUse>(&what)) {
             const std::array<double*, 5> to{out[0].v, out[1].v, out[2].v, out[3].v, out[4].v};
-            if (use->kind == SceneUse::Kind::Pigment) return host.pigments(use->slot, a[0].v, a[1].v, a[2].v, to);
-            host.patterns(use->slot, a[0].v, a[1].v, a[2].v, out[0].v);
+            if (use->kind == SceneUse::Kind::Pigment)
+                return host.pigments(use->slot, a[0].v, a[1].v, a[2].v, kLanes, to);
+            host.patterns(use->slot, a[0].v, a[1].v, a[2].v, kLanes, out[0].v);
             for (std::size_t k = 1; k < to.size(); ++k) out[k] = constant(0.0);
             return;
         }
@@ -259,15 +260,42 @@ private:
     static constexpr std::size_t kMostParameters = 16;
 };
 
-void evaluate_lanes(const Function& function, const double (*arguments)[kLanes], const Host& host,
-                    std::uint32_t components, double* out)
+namespace {
+
+/// The pattern or pigment of the function's own first parameters that it is and nothing else, as drawn pictures mostly
+/// are; null for any other.
+const SceneUse* lone_use(const Function& f)
 {
+    if (f.code.size() != 1 || f.code[0].op != Op::SceneReference) return nullptr;
+    const Instruction& in = f.code[0];
+    for (std::uint32_t i = 0; i < in.b; ++i)
+        if (f.arguments[in.a + i] != f.first_parameter() + i) return nullptr;
+    return f.result >= in.dst ? std::get_if<SceneUse>(&f.outer[in.c]) : nullptr;
+}
+
+}  // namespace
+
+void evaluate_lanes(const Function& function, const double* const* arguments, std::size_t count, const Host& host,
+                    std::uint32_t components, double* const* out)
+{
+    if (const SceneUse* use = lone_use(function)) {
+        alignas(64) double all[std::tuple_size_v<Values>][kMostTogether];
+        if (use->kind == SceneUse::Kind::Pigment)
+            host.pigments(use->slot, arguments[0], arguments[1], arguments[2], count,
+                          {all[0], all[1], all[2], all[3], all[4]});
+        else host.patterns(use->slot, arguments[0], arguments[1], arguments[2], count, all[0]);
+        const std::uint32_t first = function.result - function.code[0].dst;
+        for (std::uint32_t k = 0; k < components; ++k) std::copy_n(all[first + k], count, out[k]);
+        return;
+    }
     Frame<Eight> frame(function);
     Eight* r = frame.registers();
-    for (std::uint32_t i = 0; i < function.parameters; ++i)
-        std::copy_n(arguments[i], kLanes, r[function.first_parameter() + i].v);
-    Machine<Eight>(function, r, host).run(0, static_cast<std::uint32_t>(function.code.size()));
-    for (std::uint32_t k = 0; k < components; ++k) std::copy_n(r[function.result + k].v, kLanes, out + k * kLanes);
+    for (std::size_t at = 0; at < count; at += kLanes) {
+        for (std::uint32_t i = 0; i < function.parameters; ++i)
+            std::copy_n(arguments[i] + at, kLanes, r[function.first_parameter() + i].v);
+        Machine<Eight>(function, r, host).run(0, static_cast<std::uint32_t>(function.code.size()));
+        for (std::uint32_t k = 0; k < components; ++k) std::copy_n(r[function.result + k].v, kLanes, out[k] + at);
+    }
 }
 
 }  // namespace function

@@ -12,12 +12,14 @@
 namespace texture {
 namespace {
 
-void put_eight(const double* x, const double* y, const double* z, Points& out)
+static_assert(kMostPoints == function::kMostTogether);
+
+void put(const double* x, const double* y, const double* z, std::size_t count, Points& out)
 {
-    out.count = function::kLanes;
-    std::copy_n(x, function::kLanes, out.x.data());
-    std::copy_n(y, function::kLanes, out.y.data());
-    std::copy_n(z, function::kLanes, out.z.data());
+    out.count = static_cast<int>(count);
+    std::copy_n(x, count, out.x.data());
+    std::copy_n(y, count, out.y.data());
+    std::copy_n(z, count, out.z.data());
 }
 
 /// Of points that are on no surface.
@@ -57,31 +59,33 @@ void FunctionHost::noises(const double* x, const double* y, const double* z, int
     noise_eight(x, y, z, generator == 0 ? set_.noise_generator : generator, out);
 }
 
-void FunctionHost::patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const
+void FunctionHost::patterns(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
+                            double* out) const
 {
     const Pattern& pattern = set_.patterns[slot];
     Points points;
-    put_eight(x, y, z, points);
+    put(x, y, z, count, points);
     warp_points(set_, pattern, points, kAllLive);
     Values values;
     pattern_values(set_, pattern, points, nowhere(), values);
-    std::copy_n(values.data(), function::kLanes, out);
+    std::copy_n(values.data(), count, out);
 }
 
-void FunctionHost::pigments(std::uint32_t slot, const double* x, const double* y, const double* z,
+void FunctionHost::pigments(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
                             const std::array<double*, 5>& out) const
 {
     Points points;
-    put_eight(x, y, z, points);
+    put(x, y, z, count, points);
     ColorPoints colors;
     pigment_colors(set_, slot, points, nowhere(), colors);
-    for (std::size_t i = 0; i < function::kLanes; ++i) {
-        out[0][i] = static_cast<double>(colors.red[i]);
-        out[1][i] = static_cast<double>(colors.green[i]);
-        out[2][i] = static_cast<double>(colors.blue[i]);
-        out[3][i] = static_cast<double>(colors.filter[i]);
-        out[4][i] = static_cast<double>(colors.transmit[i]);
-    }
+    const auto tell = [count](const std::array<float, kMostPoints>& of, double* to) {
+        for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<double>(of[i]);
+    };
+    tell(colors.red, out[0]);
+    tell(colors.green, out[1]);
+    tell(colors.blue, out[2]);
+    tell(colors.filter, out[3]);
+    tell(colors.transmit, out[4]);
 }
 
 namespace {
@@ -106,8 +110,9 @@ function::Evaluators evaluators()
             [](const Function& called, const double* a, const Host& host) {
                 return here(host, [&](const Host& own) { return function::evaluate_all(called, a, own); });
             },
-            [](const Function& called, const double(*a)[8], const Host& host, std::uint32_t components, double* out) {
-                here(host, [&](const Host& own) { function::evaluate_lanes(called, a, own, components, out); });
+            [](const Function& called, const double* const* a, std::size_t count, const Host& host,
+               std::uint32_t components, double* const* out) {
+                here(host, [&](const Host& own) { function::evaluate_lanes(called, a, count, own, components, out); });
             },
             function::evaluate_intervals, function::evaluate_along};  // which ask nothing of the scene
 }

@@ -15,8 +15,9 @@ public:
     double pattern(std::uint32_t slot, const glm::dvec3& p) const override;
     std::array<double, 5> pigment(std::uint32_t slot, const glm::dvec3& p) const override;
     void noises(const double* x, const double* y, const double* z, int generator, double* out) const override;
-    void patterns(std::uint32_t slot, const double* x, const double* y, const double* z, double* out) const override;
-    void pigments(std::uint32_t slot, const double* x, const double* y, const double* z,
+    void patterns(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
+                  double* out) const override;
+    void pigments(std::uint32_t slot, const double* x, const double* y, const double* z, std::size_t count,
                   const std::array<double*, 5>& out) const override;
     const void* texture_set() const override { return &set_; }
 

@@ -247,9 +247,17 @@ bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place)
     return true;
 }
 
-scene::Color image_texel(const Image& image, std::size_t texel)
+bool image_is_clear(const Image& image)
 {
-    return with_texels(image, [&](auto&& texel_of) { return texel_of(texel); });
+    const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
+    if (!image.palette.empty()) return std::any_of(image.palette.begin(), image.palette.end(), clear);
+    const bool alike = image.picture->channels % 2 != 0;  // no alpha
+    const std::size_t count = alike ? 1 : image.picture->count();
+    return image.filter != 0.0f || with_texels(image, [&](auto&& texel_of) {
+               for (std::size_t i = 0; i < count; ++i)
+                   if (texel_of(i).transmit != 0.0f) return true;
+               return false;
+           });
 }
 
 scene::Color image_shown(const Image& image, const glm::dvec3& p)

@@ -45,8 +45,8 @@ struct Image {
 /// Column and row of a point of pattern space, from the top left corner, in texels; false where the picture is not.
 bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place);
 
-/// One without the settings of the image_map.
-scene::Color image_texel(const Image& image, std::size_t texel);
+/// Whether some texel or colour of the palette lets light through, whatever the settings of the image_map.
+bool image_is_clear(const Image& image);
 
 /// What an image_map shows at a point of pattern space: straight colours, or nothing where the picture is not.
 scene::Color image_shown(const Image& image, const glm::dvec3& p);

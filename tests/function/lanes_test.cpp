@@ -16,12 +16,17 @@ namespace {
 void check_lanes(const function::Function& f, std::mt19937& random, double range)
 {
     std::uniform_real_distribution<double> any(-range, range);
-    double arguments[64][kLanes], out[std::tuple_size_v<function::Values>][kLanes];
-    for (std::uint32_t i = 0; i < f.parameters; ++i)
+    constexpr std::size_t kPoints = 2 * kLanes;
+    double arguments[64][kPoints], out[std::tuple_size_v<function::Values>][kPoints];
+    const double* from[64];
+    for (std::uint32_t i = 0; i < f.parameters; ++i) {
         for (double& a : arguments[i]) a = any(random);
+        from[i] = arguments[i];
+    }
+    double* const to[] = {out[0], out[1], out[2], out[3], out[4]};
     const function_test::NoiseHost host;
-    function::evaluate_lanes(f, arguments, host, f.components, out[0]);
-    for (int lane = 0; lane < kLanes; ++lane) {
+    function::evaluate_lanes(f, from, kPoints, host, f.components, to);
+    for (std::size_t lane = 0; lane < kPoints; ++lane) {
         std::vector<double> one;
         for (std::uint32_t i = 0; i < f.parameters; ++i) one.push_back(arguments[i][lane]);
         const function::Values all = function::evaluate_all(f, one.data(), host);

@@ -170,6 +170,12 @@ Aabb HeightField::extent() const
     return {{0.0, floor_ / kLevels, 0.0}, {1.0, top_ / kLevels, 1.0}};
 }
 
+Aabb HeightField::space() const
+{
+    if (empty()) return {};
+    return {{0.0, -kInfinity, 0.0}, {1.0, top_ / kLevels, 1.0}};
+}
+
 std::size_t HeightField::bytes() const
 {
     return grid_.levels.capacity() * sizeof(std::uint16_t) + ranges_.capacity() * sizeof(Range);

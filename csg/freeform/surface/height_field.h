@@ -38,6 +38,7 @@ public:
     /// Without a lower end: no finite box holds the solid.
     Aabb bounds() const { return empty() ? Aabb{} : Aabb::everything(); }
     Aabb drawn_bounds() const { return extent(); }
+    Aabb space() const;  ///< has no lower end
     Aabb extent() const;
     std::size_t bytes() const;
     bool blends_normals() const { return grid_.smooth; }

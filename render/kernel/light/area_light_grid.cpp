@@ -13,8 +13,6 @@ namespace {
 
 constexpr float kRefined = 0.1f;  // neighbouring samples that differ by more are refined (spec 3, 12.6)
 
-constexpr std::array<TileFloats TileColors::*, 3> kChannels = {&TileColors::red, &TileColors::green, &TileColors::blue};
-
 /// The hits whose colours in a and b differ by more than kRefined. Other hits of the same rows of the tile may be set
 /// too.
 HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)

@@ -78,6 +78,34 @@ public:
         }
     }
 
+    /// The first page from which on so many have no rows of these hits.
+    std::size_t room(HitMask hits, std::size_t pages) const
+    {
+        for (std::size_t first = 0;; ++first) {
+            HitMask taken = 0;
+            for (std::size_t d = first; d < std::min(first + pages, depths_); ++d)
+                taken |= scratch_.rows.pages[d].holds;
+            if ((taken & hits) == 0) return first;
+        }
+    }
+
+    /// Rows of a layer for hits whose colour some others will make of them, and from which no ray goes on. Its pigments
+    /// and what the layers above let through are known; plain: it is opaque.
+    void lay(std::size_t d, HitMask hits, const texture::Layer& layer, const TileColors& filter, bool plain,
+             const texture::ColorPoints& c)
+    {
+        hold(hits);
+        alone_ |= hits;
+        if (set_.finishes[layer.finish].lit()) lit_ |= hits;
+        RowPage& at = add_layer(d, hits, layer);
+        for (TileFloats TileColors::*channel : kChannels)
+            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
+                here.chosen(part(filter.*channel, i), part(at.filter.*channel, i))
+                    .store_aligned((at.filter.*channel).data() + i);
+            });
+        color(at, hits, plain ? 0 : hits, c);
+    }
+
     void add_row(std::size_t k, const LitRow& row)
     {
         constexpr double kUnit = 1e-9;
@@ -188,7 +216,7 @@ public:
     {
         for (std::size_t depth = 0; depth < depths_; ++depth) {
             RowPage& at = scratch_.rows.pages[depth];
-            for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue})
+            for (TileFloats TileColors::*channel : kChannels)
                 for (std::size_t k = 0; k < csg::kTileRays; ++k)
                     (at.gained.*channel)[k] = (at.gained_before.*channel)[k] + (at.gained.*channel)[k];
         }
@@ -203,16 +231,14 @@ public:
             float* sum = (sums.*channel).data();
             for (std::size_t depth = 0; depth < depths_; ++depth) {
                 const RowPage& at = scratch_.rows.pages[depth];
-                const LaneMask here(at.holds);
-                const float *glow = (at.glow.*channel).data(), *gained = (at.gained.*channel).data(),
-                            *filter = (at.filter.*channel).data();
-                if (depth == 0) {
-                    each_place(count_, [&](std::size_t k) { sum[k] = glow[k] + gained[k]; });
-                    continue;
-                }
-                // The top layer's filter is 1.
-                each_place(count_,
-                           [&](std::size_t k) { sum[k] += here[k] != 0 ? filter[k] * (glow[k] + gained[k]) : 0.0f; });
+                each_part(count_, at.holds, [&](std::size_t i, FloatMask here) {
+                    const FloatPart own = part(at.glow.*channel, i) + part(at.gained.*channel, i);
+                    // The top layer's filter is 1.
+                    const FloatPart all = depth == 0 ? own
+                                                     : FloatPart::load_aligned(sum + i) +
+                                                           here.kept(part(at.filter.*channel, i) * own);
+                    all.store_aligned(sum + i);
+                });
             }
         };
         each(&TileColors::red);
@@ -335,32 +361,44 @@ private:
     {
         tell<&Recorder::pigments>(scratch_, at, hits, clear, c);
         if (few(hits)) return color_each(at, hits, clear, c);
-        const LaneMask here(hits), counts(clear);
         alignas(64) TileFloats alpha;
         alpha.fill(1.0f);
         if (clear != 0 && set_.legacy_opacity) {
             for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
         } else if (clear != 0) {
-            each_place(count_,
-                       [&](std::size_t k) { alpha[k] = counts[k] != 0 ? 1.0f - c.filter[k] - c.transmit[k] : 1.0f; });
+            each_part(count_, clear, [&](std::size_t i, FloatMask counts) {
+                const FloatPart one(1.0f);
+                counts.chosen(one - part(c.filter, i) - part(c.transmit, i), one).store_aligned(alpha.data() + i);
+            });
         }
         if (context_.indirect != nullptr)
-            each_place(count_, [&](std::size_t k) { at.alpha[k] = here[k] != 0 ? alpha[k] : at.alpha[k]; });
+            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
+                here.chosen(part(alpha, i), part(at.alpha, i)).store_aligned(at.alpha.data() + i);
+            });
         const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
-            float *pigment = (at.pigment.*channel).data(), *glow = (at.glow.*channel).data();
-            const float* emitted = (at.emitted.*channel).data();
-            each_place(count_, [&](std::size_t k) {
-                pigment[k] = here[k] != 0 ? from[k] : pigment[k];
-                glow[k] = here[k] != 0 ? from[k] * emitted[k] * alpha[k] : glow[k];
+            TileFloats &pigment = at.pigment.*channel, &glow = at.glow.*channel;
+            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
+                const FloatPart own = part(from, i);
+                here.chosen(own, part(pigment, i)).store_aligned(pigment.data() + i);
+                here.chosen(own * part(at.emitted.*channel, i) * part(alpha, i), part(glow, i))
+                    .store_aligned(glow.data() + i);
             });
         };
         component(c.red, &TileColors::red);
         component(c.green, &TileColors::green);
         component(c.blue, &TileColors::blue);
+        alignas(64) TileLanes diffuse;
         each_place(count_, [&](std::size_t k) {
-            const double diffuse = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
-            at.diffuse[k] = here[k] != 0 ? diffuse : at.diffuse[k];
+            diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
         });
+        using csg::lanes::Double;
+        constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); i += csg::lanes::kDoubles) {
+            double* to = at.diffuse.data() + i;
+            xsimd::select(csg::lanes::lanes_of(static_cast<std::uint32_t>(hits >> i & kVector)),
+                          Double::load_aligned(diffuse.data() + i), Double::load_aligned(to))
+                .store_aligned(to);
+        }
     }
 
     /// A dull layer that is wholly clear shows no light, so no lamp is asked for it.

@@ -18,6 +18,8 @@ struct LayeredGroup {
 struct MappedGroup {
     HitMask hits;
     std::uint32_t texture, place;  ///< place: as TextureMaps has looked it up
+    bool alone;                    ///< PatternedLayers::alone
+    HitMask mixed;                 ///< hits whose colour is a mixture of rows: nothing goes on from them
 };
 
 /// What SurfaceStage keeps per thread.

@@ -59,8 +59,7 @@ private:
         if (lights_ && !context_.traits.scalar_rows && single.index != plan::kNone && (goes_on_ || !single.goes_on))
             begin_single(group, surface, single);
         else if (layers.texture != plan::kNone && !layers.map) begin_layers(group, surface, layers);
-        else if (layers.texture != plan::kNone && !context_.traits.scalar_rows)
-            begin_map(group, surface, layers.texture);
+        else if (layers.texture != plan::kNone && !context_.traits.scalar_rows) begin_map(group, surface, layers);
     }
 
     void begin_single(HitMask group, csg::SurfaceId surface, const plan::SingleLayer& single)
@@ -95,12 +94,17 @@ private:
         own_.layered[own_.layered_count++] = {group, of.texture, alone};
     }
 
-    void begin_map(HitMask group, csg::SurfaceId surface, std::uint32_t texture)
+    void begin_map(HitMask group, csg::SurfaceId surface, const plan::PatternedLayers& of)
     {
         surround(group, surface);
-        if (own_.mapped_count != 0 && own_.mapped[own_.mapped_count - 1].texture == texture)
-            own_.mapped[own_.mapped_count - 1].hits |= group;
-        else own_.mapped[own_.mapped_count++] = {group, texture, 0};
+        if (own_.mapped_count != 0) {
+            MappedGroup& last = own_.mapped[own_.mapped_count - 1];
+            if (last.texture == of.texture && last.alone == of.alone) {
+                last.hits |= group;
+                return;
+            }
+        }
+        own_.mapped[own_.mapped_count++] = {group, of.texture, 0, of.alone, 0};
     }
 
     /// The hits as patterns see them.
@@ -140,6 +144,9 @@ private:
     void look_up_maps()
     {
         own_.maps.clear();
+        // Samples of light from elsewhere are placed by rows in POV-Ray's order, and so are rows told to a recorder.
+        const bool lays_rows = lights_ && goes_on_ && context_.indirect == nullptr && scratch_.recorder == nullptr &&
+                               context_.scene.textures.extensions.empty();
         for (std::size_t g = 0; g < own_.mapped_count; ++g) {
             MappedGroup& group = own_.mapped[g];
             texture::Points points, normals;
@@ -152,6 +159,7 @@ private:
             points.pad();
             normals.pad();
             group.place = own_.maps.look_up(context_, group.texture, group.hits, points, around, normals);
+            if (lays_rows && group.alone) group.mixed = own_.maps.lay_rows(context_, batch_, group.place);
         }
     }
 
@@ -255,5 +263,19 @@ private:
     HitMask layered_ = 0;  ///< hits with prefetched pigments
     LaneScatter together_;
 };
+
+/// The colours of hits whose texture maps have all their rows, in the place of the sums of these, once all lights have
+/// been added. count: of the tile.
+inline void mix_maps(const Context& context, int count)
+{
+    const SurfaceScratch& own = context.scratch.shade.surface();
+    TileColors colors;
+    for (std::size_t g = 0; g < own.mapped_count; ++g) {
+        const MappedGroup& group = own.mapped[g];
+        if (group.mixed == 0) continue;
+        own.maps.mix(context, group.place, count, colors);
+        for_each_hit(group.mixed, [&](std::size_t k) { context.scratch.shade.rows.sums.set(k, colors[k]); });
+    }
+}
 
 }  // namespace trace

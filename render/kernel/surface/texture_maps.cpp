@@ -143,10 +143,12 @@ void TextureMaps::look_up_layers(const Context& context, std::size_t at, const S
     textures_[at].bent = seen.map != nullptr;
     layers_used_ += texture.count;
     if (layers_.size() < layers_used_) layers_.resize(layers_used_);
+    asked_.resize(layers_used_);
+    std::fill(asked_.begin() + static_cast<std::ptrdiff_t>(textures_[at].first), asked_.end(), 0);
     const HitMask all = first_hits(seen.points.count);
     const auto bailout = static_cast<float>(context.adc_bailout);
     TileColors filter;
-    if (texture.count > 1) filter.fill(1.0f);
+    if (!texture.plain) filter.fill(1.0f);
     HitMask open = all;
     for (std::uint32_t depth = 0; depth < texture.count && open != 0; ++depth) {
         const texture::Layer& layer = set.layers[texture.first + texture.count - 1 - depth];
@@ -163,8 +165,9 @@ void TextureMaps::look_up_layers(const Context& context, std::size_t at, const S
             for_each_hit(open, [&](std::size_t k) { to.colors.set(k, found.at(i++)); });
             bend(set, layer.normal, {part.points, part.around, part.normals, seen.map}, open, to.normals);
         }
-        if (depth + 1 < texture.count) open &= pass_layer(to.colors, filter, bailout);
+        open = texture.plain ? 0 : open & pass_layer(to.colors, filter, bailout);
     }
+    textures_[at].open = deposited(open, textures_[at].hits);
 }
 
 /// As a layer's normal is bent within its map, of unit length; `hits`: where in `to`.

@@ -3,6 +3,7 @@
 #include "render/texture/evaluate_points.h"
 #include "render/kernel/tile/hit_mask.h"
 #include "render/kernel/tile/layer_points.h"
+#include "render/kernel/tile/row_page.h"
 
 #include <bit>
 #include <deque>
@@ -28,6 +29,13 @@ public:
     std::uint32_t look_up(const Context& context, std::uint32_t texture, HitMask hits, const texture::Points& p,
                           const texture::Around& around, const texture::Points& normals);
 
+    /// Right after look_up(): rows of light for the hits that show nothing that rays go on from, which are returned.
+    /// No layer may have more than colour, diffuse light and highlights (plan::PatternedLayers::alone).
+    HitMask lay_rows(const Context& context, DirectBatch& batch, std::uint32_t at);
+
+    /// Once all lights have been added: the colours of those hits, among the tile's first `count`.
+    void mix(const Context& context, std::uint32_t at, int count, TileColors& out) const;
+
     /// shade_texture() of hit `hit.lane` by what has been looked up; `at`: from look_up(). Its point is place `k` of
     /// `points`, and is read where something still asks for it.
     void shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at, const texture::Points& points,
@@ -42,6 +50,8 @@ private:
         std::size_t entries = 0;  ///< of maps: the first one's, in entries_
         bool bent = false;        ///< of layers: normals are known too, at the same places
         bool asks_point = false;  ///< of layers: normals are yet to be bent
+        HitMask open = 0;         ///< of layers: hits that light passes
+        std::size_t page = 0;     ///< of layers: where the top one's rows lie
     };
     struct Map {
         texture::Points points;  ///< warped
@@ -57,6 +67,7 @@ private:
     };
     struct Part;
 
+    void mix_layers(const Context& context, const Place& place, std::uint32_t layers, int count, TileColors& out) const;
     void begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q);
     static const texture::Texture* bent_within(const Context& context, const texture::Texture& map, const Seen& seen,
                                                texture::Points& normals);
@@ -71,6 +82,7 @@ private:
     std::vector<std::uint32_t> entries_;  ///< of maps: places of their textures, or texture::kNone
     std::deque<Map> maps_;                ///< so many of them in use, as of layers; they stay for the next tile
     std::vector<LayerPoints> layers_;
+    std::vector<HitMask> asked_;  ///< by layer: hits that have a row of it
     std::size_t maps_used_ = 0, layers_used_ = 0;
 };
 

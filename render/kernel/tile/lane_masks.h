@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/float_mask.h"
 #include "render/kernel/tile/hit_mask.h"
 
 #include <array>
@@ -20,5 +21,20 @@ struct LaneMask {
     }
     std::uint32_t operator[](std::size_t k) const { return of[k]; }
 };
+
+/// f(i, which of them are in the mask) for the first `count` places of a tile as each_place() rounds them, a register
+/// of floats from i on at a time. For arrays of which the compiler cannot tell that they lie apart.
+template <class F>
+inline void each_part(int count, HitMask mask, F&& f)
+{
+    constexpr std::size_t kBlock = 16, kPart = static_cast<std::size_t>(kFloatPart);
+    for (std::size_t first = 0; first < static_cast<std::size_t>(count); first += kBlock)
+        for (std::size_t i = first; i < first + kBlock; i += kPart) f(i, FloatMask(mask >> i));
+}
+/// Places of an array of floats from i on.
+inline FloatPart part(const std::array<float, csg::kTileRays>& of, std::size_t i)
+{
+    return FloatPart::load_aligned(of.data() + i);
+}
 
 }  // namespace trace

@@ -37,6 +37,9 @@ struct alignas(64) TileColors {
     }
 };
 
+inline constexpr std::array<TileFloats TileColors::*, 3> kChannels = {&TileColors::red, &TileColors::green,
+                                                                      &TileColors::blue};
+
 /// What highlights need of the finish of each hit.
 struct alignas(64) SpecularLobe {
     alignas(64) TileLanes phong, phong_size, specular, exponent;

@@ -6,6 +6,7 @@
 #include "render/texture/function_host.h"
 #include "render/texture/noise/noise.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace plan {
@@ -80,14 +81,20 @@ void FunctionProbe::evaluate(std::span<const glm::dvec3> points, std::span<funct
 {
     const function::Function& called = *set_.functions.back();
     const texture::FunctionHost host(set_);
+    alignas(64) double at[3][function::kMostTogether],
+        out[std::tuple_size_v<function::Values>][function::kMostTogether];
+    const double* const arguments[] = {at[0], at[1], at[2]};
+    double* const results[] = {out[0], out[1], out[2], out[3], out[4]};
     std::size_t first = 0;
-    for (; first + function::kLanes <= points.size(); first += function::kLanes) {
-        double arguments[3][function::kLanes], out[std::tuple_size_v<function::Values>][function::kLanes];
-        for (std::size_t k = 0; k < function::kLanes; ++k)
-            for (int axis = 0; axis < 3; ++axis) arguments[axis][k] = points[first + k][axis];
-        function::in_use().lanes(called, arguments, host, called.components, out[0]);
-        for (std::size_t k = 0; k < function::kLanes; ++k)
+    while (points.size() - first >= function::kLanes) {
+        const std::size_t count = std::min(points.size() - first, function::kMostTogether) / function::kLanes *
+                                  function::kLanes;
+        for (std::size_t k = 0; k < count; ++k)
+            for (int axis = 0; axis < 3; ++axis) at[axis][k] = points[first + k][axis];
+        function::in_use().lanes(called, arguments, count, host, called.components, results);
+        for (std::size_t k = 0; k < count; ++k)
             for (std::size_t part = 0; part < called.components; ++part) values[first + k][part] = out[part][k];
+        first += count;
     }
     for (; first < points.size(); ++first) values[first] = evaluate(&points[first].x);
 }

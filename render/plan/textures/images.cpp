@@ -124,17 +124,6 @@ void take_settings(const scene::ImageMap& written, texture::Image& out)
     if (written.use == Use::Alpha) out.value = out.opaque ? Value::Red : Value::Transmit;
 }
 
-bool lets_light_through(const texture::Image& image)
-{
-    const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
-    if (!image.palette.empty()) return std::any_of(image.palette.begin(), image.palette.end(), clear);
-    if (image.filter != 0.0f) return true;
-    const bool alike = image.picture->channels % 2 != 0;  // no alpha
-    for (std::size_t i = 0; i < (alike ? 1 : image.picture->count()); ++i)
-        if (image_texel(image, i).transmit != 0.0f) return true;
-    return false;
-}
-
 }  // namespace
 
 texture::Image compile_image(const scene::Description& scene, const scene::ImageMap& written, bool colors)
@@ -148,10 +137,11 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     out.height = static_cast<std::uint32_t>(picture.height);
     if (!picture.palette.empty()) take_palette(picture, levels, out);
     else take_samples(levels, ends_with_any(source.path, {".png"}), out);
-    out.clear_in_file = written.once || lets_light_through(out);
+    const bool asked = colors || written.use == scene::ImageMap::Use::Alpha, clear = asked && image_is_clear(out);
+    out.clear_in_file = written.once || clear;
     apply_transparency(written, out);
     for (const scene::Color& color : out.palette) out.clear_in_file = out.clear_in_file || color.transmit != 0.0f;
-    out.opaque = !lets_light_through(out);
+    out.opaque = written.clarities.empty() ? !clear : !(asked && image_is_clear(out));
     out.premultiplied = picture.premultiplied;
     take_settings(written, out);
     out.opaque = out.opaque && !out.once && out.projection == texture::Image::Projection::Planar;

@@ -86,14 +86,51 @@ bool lets_all_through(const TextureSet& set, const SingleLayer& single, const In
            interior.transmission == 1.0f && interior.fade_distance == 0.0f;
 }
 
+/// Whether textures, and all that their maps lead to, have layers of nothing but colour, diffuse light and highlights,
+/// and bend no normals.
+class PlainMaps {
+public:
+    explicit PlainMaps(const TextureSet& set) : set_(set), known_(set.textures.size(), Known::No) {}
+
+    bool of(std::uint32_t index)
+    {
+        Known& known = known_[index];
+        if (known == Known::No) known = find(set_.textures[index]) ? Known::Plain : Known::Other;
+        return known == Known::Plain;
+    }
+
+private:
+    enum class Known : std::uint8_t { No, Plain, Other };
+
+    bool find(const texture::Texture& texture)
+    {
+        using Kind = texture::Texture::Kind;
+        const auto all = [&texture](auto&& is_plain) {
+            for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i)
+                if (!is_plain(i)) return false;
+            return true;
+        };
+        if (texture.kind == Kind::Map || texture.kind == Kind::Average)
+            return all([this](std::uint32_t i) { return of(set_.children[i]); });
+        return texture.kind == Kind::Layers && all([this](std::uint32_t i) {
+                   const texture::Layer& layer = set_.layers[i];
+                   const texture::Finish& finish = set_.finishes[layer.finish];
+                   return layer.normal == texture::kNone && plain_light(finish, false) && !finish.reflects();
+               });
+    }
+
+    const TextureSet& set_;
+    std::vector<Known> known_;
+};
+
 /// The texture itself if it has a map, or layers with patterns or bent normals, and few enough.
-PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool bent)
+PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool bent, PlainMaps& plain_maps)
 {
     if (index == texture::kNone) return {};
     const texture::Texture& texture = set.textures[index];
     using Kind = texture::Texture::Kind;
     if (texture.kind == Kind::Map || texture.kind == Kind::Average)
-        return bent ? PatternedLayers{} : PatternedLayers{index, false, true};
+        return bent ? PatternedLayers{} : PatternedLayers{index, plain_maps.of(index), true};
     if (texture.kind != Kind::Layers || texture.count > kPrefetchedLayers) return {};
     bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {
@@ -204,6 +241,7 @@ SceneTraits find_traits(const CompiledScene& scene)
     traits.fresnel = std::any_of(finishes.begin(), finishes.end(), [](const auto& finish) { return finish.fresnel; });
     const TextureInputs texture_looks(scene.textures);
     const std::vector<bool> dark = dark_textures(scene.textures);
+    PlainMaps plain_maps(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(LeanStep::HitDetails);
     traits.clear_surfaces = scene.options.lean.takes(LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
@@ -236,8 +274,8 @@ SceneTraits find_traits(const CompiledScene& scene)
         const std::uint32_t inner = surface.texture_of(true);
         const bool bent = texture_looks.of_texture(surface.texture).bent,
                    inner_bent = texture_looks.of_texture(inner).bent;
-        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, bent);
-        all[i].inner_patterned = patterned_layers(scene.textures, inner, inner_bent);
+        all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, bent, plain_maps);
+        all[i].inner_patterned = patterned_layers(scene.textures, inner, inner_bent, plain_maps);
         if (surface.part_count != 0 && all[i].outer_patterned.map) all[i].outer_patterned = {};
         if (surface.part_count != 0 && all[i].inner_patterned.map) all[i].inner_patterned = {};
         if (surface.double_illuminate) {

@@ -167,19 +167,15 @@ void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p,
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = static_cast<double>(scene::grey(colors.at(i).rgb()));
 }
 
-/// A user function, eight points at a time.
+/// A user function, in whole lanes.
 void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out)
 {
     const function::Function& function = *set.functions[pattern.function];
-    const FunctionHost host(set);
     static_assert(kMostPoints % function::kLanes == 0);
-    for (std::size_t i = 0; i < p.size(); i += function::kLanes) {
-        double at[3][function::kLanes];
-        std::copy_n(p.x.data() + i, function::kLanes, at[0]);
-        std::copy_n(p.y.data() + i, function::kLanes, at[1]);
-        std::copy_n(p.z.data() + i, function::kLanes, at[2]);
-        function::evaluate_lanes(function, at, host, 1, out.data() + i);
-    }
+    constexpr std::size_t kWhole = function::kLanes - 1;
+    const double* const at[] = {p.x.data(), p.y.data(), p.z.data()};
+    double* const values = out.data();
+    function::evaluate_lanes(function, at, (p.size() + kWhole) & ~kWhole, FunctionHost(set), 1, &values);
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = wrapped_value(out[i]);
 }
 

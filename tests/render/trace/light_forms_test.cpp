@@ -99,6 +99,56 @@ private:
     std::mt19937& random_;
 };
 
+/// Nests of maps and averages of layers that mirror nothing; some let light through at some places.
+class RandomMaps {
+public:
+    explicit RandomMaps(std::mt19937& random) : random_(random) {}
+
+    std::string text()
+    {
+        return "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-6> look_at 0 }\n"
+               "background { rgb <.2,.4,.8> } light_source { <-5,6,-5> rgb <1,.9,.6> } light_source { <4,5,-2> rgb .6 "
+               "}\n"
+               "plane { y,-1 texture { " +
+               maps(4) + "} } sphere { 0,1.2 texture { " + maps(3) + "} } torus { 1.6,.3 texture { " + maps(2) +
+               "} rotate 30*x }\n";
+    }
+
+private:
+    std::string number(double low, double high)
+    {
+        return std::to_string(low + (high - low) * std::generate_canonical<double, 32>(random_)) + " ";
+    }
+    std::string color(const std::string& kind)
+    {
+        return kind + " <" + number(0, 1) + "," + number(0, 1) + "," + number(0, 1);
+    }
+    std::string pigment()
+    {
+        const char* const clear = random_() % 8 == 0 ? ",.4" : ",0";
+        if (random_() % 2 == 0) return "pigment { " + color("rgb") + "> } ";
+        return "pigment { bozo scale .3 color_map { [0 " + color("rgbt") + ",0>] [1 " + color("rgbt") + clear +
+               ">] } } ";
+    }
+    std::string finish()
+    {
+        return "finish { phong " + number(0, 1) + (random_() % 2 == 0 ? "brilliance 2 metallic } " : "specular .4 } ");
+    }
+    std::string maps(int depth)
+    {
+        if (depth == 0 || random_() % 6 == 0) return pigment() + finish();
+        if (random_() % 4 == 0) {
+            std::string out = "average texture_map { ";
+            for (int i = 0; i < 3; ++i) out += "[" + number(.2, 2) + maps(depth - 1) + "] ";
+            return out + "} ";
+        }
+        return std::string(random_() % 2 == 0 ? "bozo scale .4" : "gradient x") + " texture_map { [.3 " +
+               maps(depth - 1) + "] [.6 " + maps(depth - 1) + "] [.7 " + maps(depth - 1) + "] } ";
+    }
+
+    std::mt19937& random_;
+};
+
 }  // namespace
 
 TEST_CASE("rows of light in lanes and by themselves give one picture", "[trace][light]")
@@ -117,6 +167,25 @@ TEST_CASE("rows of light in lanes and by themselves give one picture", "[trace][
         }
     }
     CHECK(farthest < 1e-5);
+}
+
+TEST_CASE("maps of opaque layers are mixed in lanes as hit by hit", "[trace][light]")
+{
+    std::mt19937 random(21);
+    double farthest = 0, brightest = 0;
+    for (int i = 0; i < 20; ++i) {
+        const std::string text = RandomMaps(random).text();
+        INFO(text);
+        const scene::Description description = grammar_test::parsed(text);
+        const image::Image lanes = picture_of(description, false), scalar = picture_of(description, true);
+        for (std::size_t k = 0; k < lanes.pixels.size(); ++k) {
+            const double off = std::abs(static_cast<double>(lanes.pixels[k]) - static_cast<double>(scalar.pixels[k]));
+            farthest = std::max(farthest, off);
+            brightest = std::max(brightest, static_cast<double>(scalar.pixels[k]));
+        }
+    }
+    CHECK(farthest < 1e-5);
+    CHECK(brightest > 0.5);
 }
 
 TEST_CASE("an area light of four by four nodes casts the shadows of sixteen lights", "[trace][light]")

@@ -1,5 +1,6 @@
 #include "tests/render/trace/random_world.h"
 
+#include "csg/freeform/freeform.h"
 #include "csg/items/world_item.h"
 #include "csg/world/inside_index.h"
 
@@ -117,6 +118,60 @@ csg::RayTile any_tile(Rng& rng, int k)
     return (rng.below(2) == 0) ? camera_tile(rng, spread) : onward_tile(rng, k % 5 == 0 ? 0.15 : spread);
 }
 
+/// World::nearest() and World::shadow() of tiles against those of their rays; how many met something.
+int check_tiles(const csg::WorldData& data, Rng& rng, int count)
+{
+    const csg::World world(data);
+    csg::Scratch scratch;
+    int met = 0;
+    for (int k = 0; k < count; ++k) {
+        const csg::RayTile tile = any_tile(rng, k);
+        const auto hits = std::make_unique<csg::HitTile>();
+        world.nearest(tile, kImage, scratch, *hits);
+        csg::Shadow shadows[csg::kTileRays];
+        world.shadow(tile, scratch, shadows);
+        for (int i = 0; i < tile.count; ++i) {
+            INFO("tile " << k << " ray " << i);
+            const auto at = static_cast<std::size_t>(i);
+            check_same(hits->at(i), world.nearest(tile.ray(i), tile.t_min[at], tile.t_max[at], kImage, scratch));
+            REQUIRE(shadows[i] == world.shadow(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch));
+            met += hits->at(i).found() ? 1 : 0;
+        }
+    }
+    return met;
+}
+
+/// A merge of height fields, which go on for ever, of balls, and of boxes whose faces often lie in one place.
+/// `clear`: some are.
+void add_merge(csg::WorldData& data, Rng& rng, bool clear)
+{
+    csg::HeightField::Grid grid;
+    grid.columns = grid.rows = 9;
+    for (int i = 0; i < 81; ++i) grid.levels.push_back(static_cast<std::uint16_t>(rng.below(1u << 16)));
+    grid.water = rng.below(2) == 0 ? 0.0 : 16000.0;
+    const auto terrain = csg::make_freeform<csg::HeightField>(grid);
+    csg::Tree tree{.op = csg::Tree::Op::Merge};
+    for (int i = 0; i < 24; ++i) {
+        const glm::dvec3 at = rng.point(5.0);
+        const csg::Transform frame =
+            csg::Transform::translate(at) *
+            csg::Transform::rotate_degrees(rng.below(4) == 0 ? glm::dvec3(0.0) : rng.point(180.0)) *
+            csg::Transform::scale(glm::dvec3(rng.uniform(2.0, 5.0), rng.uniform(0.5, 2.0), 4.0));
+        const glm::dvec3 corner = glm::floor(at);
+        const csg::Solid solid = i % 4 == 1   ? csg::Solid(csg::Sphere{at, rng.uniform(0.5, 2.0)})
+                                 : i % 4 == 2 ? csg::Solid(csg::Box{corner, corner + 2.0})
+                                              : csg::Solid(csg::Freeform{terrain, frame});
+        data.surface_opaque.push_back(clear && rng.below(3) == 0 ? 0 : 1);
+        tree.operands.push_back(
+            csg::Tree::leaf(data.store.add(solid, static_cast<csg::SurfaceId>(data.surface_opaque.size() - 1))));
+    }
+    csg::Program program = csg::build(tree, data.store);
+    REQUIRE(program.merged.size() == tree.operands.size());
+    data.add_program(std::move(program), 0, 7);
+    data.shadow_kinds = 4;
+    data.finish();
+}
+
 }  // namespace
 
 TEST_CASE("what holds a point is found by the hierarchy as by a loop over all items", "[trace][world]")
@@ -187,22 +242,21 @@ TEST_CASE("a tile gives the answers of its rays one by one, bit for bit", "[trac
         Rng rng(1000 + seed);
         csg::WorldData data;
         random_world::fill(data, rng, 200);
-        const csg::World world(data);
-        csg::Scratch scratch;
-        for (int k = 0; k < 60; ++k) {
-            const csg::RayTile tile = any_tile(rng, k);
-            const auto hits = std::make_unique<csg::HitTile>();
-            world.nearest(tile, kImage, scratch, *hits);
-            csg::Shadow shadows[csg::kTileRays];
-            world.shadow(tile, scratch, shadows);
-            for (int i = 0; i < tile.count; ++i) {
-                INFO("tile " << k << " ray " << i);
-                const auto at = static_cast<std::size_t>(i);
-                check_same(hits->at(i), world.nearest(tile.ray(i), tile.t_min[at], tile.t_max[at], kImage, scratch));
-                REQUIRE(shadows[i] == world.shadow(tile.ray(i), tile.t_min[at], tile.t_max[at], scratch));
-            }
-        }
+        check_tiles(data, rng, 60);
     }
+}
+
+TEST_CASE("a tile meets a merge of many solids where its rays do one by one", "[trace][tile]")
+{
+    int met = 0;
+    for (std::uint32_t seed = 0; seed < 30; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(5000 + seed);
+        csg::WorldData data;
+        add_merge(data, rng, seed % 3 == 0);
+        met += check_tiles(data, rng, 40);
+    }
+    CHECK(met > 5000);
 }
 
 TEST_CASE("a tile of shadow rays crosses what its rays cross one by one", "[trace][tile]")

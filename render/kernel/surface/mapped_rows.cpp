@@ -1,0 +1,140 @@
+#include "numbers/lane_equal.h"
+#include "render/kernel/light/direct_batch.h"
+#include "render/kernel/surface/prefetch_pigments.h"
+#include "render/kernel/surface/texture_maps.h"
+
+/// Rows of light of a tile's texture maps, and the mixtures of their colours, all hits at once.
+namespace trace {
+namespace {
+
+using texture::Texture;
+
+/// Entries of a map that hits show, by hit.
+struct LaneBlends {
+    HitMask blended = 0;  ///< those that show two of them
+    alignas(64) std::array<std::uint32_t, csg::kTileRays> lower{}, upper{};
+    alignas(64) TileLanes share{};
+};
+
+/// The mixture of two entries; both infinite are infinite too (RayQueue's nodes).
+void mix_entries(const LaneBlends& blends, int count, const TileColors& upper, TileColors& out)
+{
+    for (TileFloats TileColors::*channel : kChannels) {
+        TileFloats& low = out.*channel;
+        const TileFloats& high = upper.*channel;
+        alignas(64) TileFloats step, moved;
+        each_part(count, 0, [&](std::size_t i, FloatMask) { (part(high, i) - part(low, i)).store_aligned(&step[i]); });
+        each_place(count, [&](std::size_t k) {
+            moved[k] = static_cast<float>(blends.share[k] * static_cast<double>(step[k]));
+        });
+        each_part(count, blends.blended, [&](std::size_t i, FloatMask blended) {
+            const FloatPart own = part(low, i), mixed = xsimd::select(own == part(high, i), own, own + part(moved, i));
+            blended.chosen(mixed, own).store_aligned(&low[i]);
+        });
+    }
+}
+
+/// Takes the colours of these hits.
+void take_colors(HitMask hits, int count, const TileColors& from, TileColors& to)
+{
+    for (TileFloats TileColors::*channel : kChannels)
+        each_part(count, hits, [&](std::size_t i, FloatMask here) {
+            here.chosen(part(from.*channel, i), part(to.*channel, i)).store_aligned(&(to.*channel)[i]);
+        });
+}
+
+}  // namespace
+
+HitMask TextureMaps::lay_rows(const Context& context, DirectBatch& batch, std::uint32_t at)
+{
+    const auto& set = context.scene.textures;
+    const auto bailout = static_cast<float>(context.adc_bailout);
+    HitMask closed = textures_[at].hits;
+    for (std::size_t i = at; i < textures_.size(); ++i) closed &= ~textures_[i].open;
+    for (std::size_t i = at; i < textures_.size(); ++i) {
+        Place& place = textures_[i];
+        const Texture& texture = set.textures[place.texture];
+        HitMask left = place.hits & closed;
+        if (texture.kind != Texture::Kind::Layers || left == 0) continue;
+        place.page = batch.room(left, texture.count);
+        TileColors filter;
+        filter.fill(1.0f);
+        for (std::uint32_t depth = 0; depth < texture.count && left != 0; ++depth) {
+            const texture::ColorPoints& known = layers_[place.first + depth].colors;
+            texture::ColorPoints placed;
+            std::size_t from = 0;
+            for_each_hit(place.hits, [&](std::size_t k) { placed.set(k, known.at(from++)); });
+            batch.lay(place.page + depth, left, set.layers[texture.first + texture.count - 1 - depth], filter,
+                      texture.plain, placed);
+            asked_[place.first + depth] = left;
+            if (depth + 1 < texture.count) left &= pass_layer(placed, filter, bailout);
+        }
+    }
+    return closed;
+}
+
+void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileColors& out) const
+{
+    const auto& set = context.scene.textures;
+    const Place& place = textures_[at];
+    const Texture& texture = set.textures[place.texture];
+    if (texture.kind == Texture::Kind::Layers) return mix_layers(context, place, texture.count, count, out);
+    const std::uint32_t* entries = entries_.data() + place.entries;
+    TileColors found, upper;
+    out.fill(0.0f);
+    if (texture.kind == Texture::Kind::Average) {
+        float weights = 0.0f;
+        for (std::uint32_t i = 0; i < texture.count; ++i) {
+            const float weight = set.keys[texture.first + i];
+            weights += weight;
+            mix(context, entries[i], count, found);
+            for (TileFloats TileColors::*channel : kChannels)
+                each_part(count, 0, [&](std::size_t i, FloatMask) {
+                    (part(out.*channel, i) + FloatPart(weight) * part(found.*channel, i))
+                        .store_aligned(&(out.*channel)[i]);
+                });
+        }
+        for (TileFloats TileColors::*channel : kChannels)
+            each_part(count, 0, [&](std::size_t i, FloatMask) {
+                (part(out.*channel, i) / FloatPart(weights)).store_aligned(&(out.*channel)[i]);
+            });
+        return;
+    }
+    const Map& map = maps_[place.first];
+    LaneBlends blends;
+    std::size_t from = 0;
+    for_each_hit(place.hits, [&](std::size_t k) {
+        const texture::Blend& blend = map.blends[from++];
+        blends.lower[k] = blend.lower;
+        blends.upper[k] = blend.upper;
+        blends.share[k] = blend.share;
+        if (blend.lower != blend.upper) blends.blended |= HitMask{1} << k;
+    });
+    upper.fill(0.0f);
+    for (std::uint32_t i = 0; i < texture.count; ++i) {
+        if (entries[i] == texture::kNone) continue;
+        mix(context, entries[i], count, found);
+        take_colors(csg::lanes::equal(blends.lower, texture.first + i), count, found, out);
+        take_colors(csg::lanes::equal(blends.upper, texture.first + i), count, found, upper);
+    }
+    mix_entries(blends, count, upper, out);
+}
+
+/// The sum of a texture's rows.
+void TextureMaps::mix_layers(const Context& context, const Place& place, std::uint32_t layers, int count,
+                             TileColors& out) const
+{
+    for (std::uint32_t depth = 0; depth < layers; ++depth) {
+        const HitMask asked = asked_[place.first + depth];
+        if (asked == 0) return;
+        const RowPage& page = context.scratch.shade.rows.pages[place.page + depth];
+        for (TileFloats TileColors::*channel : kChannels)
+            each_part(count, asked, [&](std::size_t i, FloatMask here) {
+                const FloatPart own = part(page.glow.*channel, i) + part(page.gained.*channel, i),
+                                row = here.kept(part(page.filter.*channel, i) * own);
+                (depth == 0 ? row : part(out.*channel, i) + row).store_aligned(&(out.*channel)[i]);
+            });
+    }
+}
+
+}  // namespace trace
