@@ -7,6 +7,7 @@
 #include "render/image/picture_writer.h"
 #include "render/image/codecs/png_writer.h"
 #include "render/image/codecs/ppm_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <algorithm>
 #include <array>
@@ -121,7 +122,7 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
         for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
         sink->finish();
     } catch (const FileError& error) {
-        throw FileError("cannot write '" + path + "': " + error.what());
+        fail_named("cannot write '" + path + "': ", error);
     }
     replacement.put_in_place();
 }
@@ -146,7 +147,7 @@ void Files::write_channels(const std::string& path, const Channels& channels) co
         for (std::size_t at = 0; at < channels.values.size(); at += row) writer.put_levels(&channels.values[at]);
         writer.finish();
     } catch (const FileError& error) {
-        throw FileError("cannot write '" + path + "': " + error.what());
+        fail_named("cannot write '" + path + "': ", error);
     }
     replacement.put_in_place();
 }
@@ -157,6 +158,8 @@ Picture Files::read(const std::string& path) const
         const ByteList bytes = bytes_of_file(path);
         if (auto picture = decode_directly(path, bytes)) return std::move(*picture);
         return read_by_library(path, kind_of_file(path, bytes));
+    } catch (const FileError& error) {
+        fail_named("cannot read '" + path + "': ", error);
     } catch (const std::exception& error) {
         throw FileError("cannot read '" + path + "': " + error.what());
     }

@@ -3,6 +3,7 @@
 #include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <unistd.h>
 
@@ -25,7 +26,7 @@ Replacement::~Replacement()
 void Replacement::put_in_place()
 {
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
-        throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
+        fail_by_system(errno, "cannot write '" + path_ + "': " + std::strerror(errno));
     placed_ = true;
 }
 
@@ -36,7 +37,7 @@ void PictureWriter::named(Work&& work) const
     try {
         work();
     } catch (const FileError& error) {
-        throw FileError("cannot write '" + replacement_.path() + "': " + error.what());
+        fail_named("cannot write '" + replacement_.path() + "': ", error);
     }
 }
 

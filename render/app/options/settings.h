@@ -18,6 +18,14 @@ enum class ConsoleStyle { Whittle, Povray };
 enum class Hook { PreScene, PreFrame, PostFrame, PostScene, UserAbort, FatalError };
 inline constexpr std::size_t kHookCount = 6;
 
+/// Frames from `first` on by `step` up to `last`.
+struct FrameRange {
+    int first, last, step;
+};
+
+/// Lines that tell a program of progress, beside what the console says.
+enum class ProgressLines { None, Povray, Json, OpenJd };
+
 /// What the command line and INI files ask for, with the defaults of a Debian installation of POV-Ray (spec 1, 18).
 struct Settings {
     // Scene.
@@ -34,6 +42,7 @@ struct Settings {
     float initial_clock = 0.0f, final_clock = 1.0f;
     double subset_start_frame = 0.0, subset_end_frame = 0.0;  ///< 0: not given; below 1: share of the frames
     int frame_step = 1;
+    std::vector<FrameRange> frame_list;  ///< of --frames; empty: none
     bool cyclic = false;
 
     // Picture.
@@ -89,6 +98,7 @@ struct Settings {
     std::string create_ini;  ///< an INI file to write: a name, a truth for the scene's, or empty
     ConsoleStyle console_style = ConsoleStyle::Whittle;
     bool quiet = false;  ///< errors only
+    ProgressLines progress = ProgressLines::None;
 
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;

@@ -1,5 +1,7 @@
 #include "render/app/output/state_file.h"
 
+#include "render/image/pixels/passing_failure.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -125,7 +127,7 @@ void StateFile::load(std::size_t first, std::size_t last, image::Image& picture)
         samples.resize(samples_of(block));
         if (!file || std::fseek(file.get(), places_[i], SEEK_SET) != 0 ||
             std::fread(samples.data(), sizeof(float), samples.size(), file.get()) != samples.size())
-            throw std::runtime_error("cannot read '" + path_ + "' any more");
+            throw image::PassingFailure("cannot read '" + path_ + "' any more");
         put_back(block, samples.data(), picture);
     }
 }

@@ -4,6 +4,7 @@
 #include "render/app/output/output_name.h"
 #include "render/app/output/picture_identity.h"
 #include "render/app/layers/cost_report.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/picture/picture_run.h"
@@ -121,7 +122,7 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
 {
     const Settings& settings = run.settings;
     parser::Options options = parser_options(settings, run.list, frame);
-    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
     options.queries = &queries;
     options.cancel = &run.cancel.requested;
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
@@ -157,7 +158,7 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
     StageTimes times;
-    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
     parser::Result parsed = parse_scene(run, at_moment(run, frame, 0), path, options, queries);

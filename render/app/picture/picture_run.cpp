@@ -1,5 +1,6 @@
 #include "render/app/picture/picture_run.h"
 
+#include "render/app/run/allocation.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/run/memory.h"
 #include "render/app/output/growing_picture.h"
@@ -99,11 +100,10 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         (trace::SampledPicture::kBytesPerPixel + (settings_.denoise ? trace::PathFeatures::kBytesPerPixel : 0.0)) *
         settings_.width * settings_.height;
     if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
-        throw std::runtime_error("not enough memory is free for the samples of so large a picture");
+        throw TryAgain("not enough memory is free for the samples of so large a picture");
     if (in_strips_ && !task.layers.kinds.empty())
-        throw std::runtime_error("not enough memory is free for the layers of so large a picture");
-    if (strip_ == 0)
-        throw std::runtime_error("not enough memory is left for the picture");  // it was when the run began
+        throw TryAgain("not enough memory is free for the layers of so large a picture");
+    if (strip_ == 0) throw TryAgain("not enough memory is left for the picture");  // it was when the run began
     picture_.width = settings_.width;
     picture_.height = settings_.height;
     if (!settings_.preview_file.empty())
@@ -168,7 +168,7 @@ void PictureRun::prepare_strip(std::size_t first, std::size_t last)
 trace::RenderOptions PictureRun::render_options()
 {
     trace::RenderOptions options;
-    options.threads = settings_.threads;
+    options.threads = threads_for(settings_.threads);
     options.isa = isa_of(settings_);
     options.cancel = &task_.run.cancel.requested;
     options.progress = [this](double share) { task_.run.reporter.progress(share); };

@@ -35,6 +35,18 @@ void Journal::parsed(const parser::Result& result, const StageTimes& times)
     speaker_.parsed(result, times);
 }
 
+void Journal::pass(const std::string& name)
+{
+    const double now = std::chrono::duration<double>(Clock::now() - start_).count(), processor = processor_seconds();
+    std::vector<Pass>& passes = frames_.back().passes;
+    if (!passes.empty()) {
+        passes.back().seconds = now - passes.back().seconds;
+        passes.back().processor_seconds = processor - passes.back().processor_seconds;
+    }
+    passes.push_back({name, now, processor});
+    speaker_.pass(name);
+}
+
 void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     FrameRecord& frame = frames_.back();
@@ -134,6 +146,17 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
         json.key(fmt::format("{}_cpu_seconds", phase.name)).number(phase.processor_seconds);
     }
     json.end();
+    if (frame.statistics && frame.passes.size() > 1) {
+        json.key("passes").begin_array();
+        for (auto pass = frame.passes.begin(); pass + 1 != frame.passes.end(); ++pass) {
+            json.begin_object();
+            json.key("name").text(pass->name);
+            json.key("seconds").number(pass->seconds);
+            json.key("cpu_seconds").number(pass->processor_seconds);
+            json.end();
+        }
+        json.end();
+    }
     json.key("counts").begin_object();
     const auto count = [&](const char* name, std::uint64_t value) {
         json.key(name).integer(static_cast<std::int64_t>(value));
@@ -187,6 +210,7 @@ std::string Journal::text(int status) const
     json.key("exit_status").integer(status);
     json.key("result").text(cancelled_ ? "cancelled" : status == 0 ? "done" : "failed");
     json.key("seconds").number(std::chrono::duration<double>(Clock::now() - start_).count());
+    json.key("processor_seconds").number(processor_seconds());
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     json.key("peak_memory_bytes").integer(static_cast<std::int64_t>(usage.ru_maxrss) * 1024);

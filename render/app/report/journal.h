@@ -24,7 +24,7 @@ public:
         speaker_.still_reading(where, seconds);
     }
     void rendering() override { speaker_.rendering(); }
-    void pass(const std::string& name) override { speaker_.pass(name); }
+    void pass(const std::string& name) override;
     void progress(double share) override { speaker_.progress(share); }
     void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
     void written(const std::string& path) override;
@@ -42,6 +42,11 @@ public:
     std::string text(int status) const;
 
 private:
+    /// Of a frame, before the picture: photons, radiosity. Its time is a part of that of tracing.
+    struct Pass {
+        std::string name;
+        double seconds, processor_seconds;  ///< till the next began; before that, when it began
+    };
     struct FrameRecord {
         int number = 0;
         double clock = 0.0;
@@ -53,6 +58,7 @@ private:
         std::size_t objects = 0;
         std::vector<scene::Message> messages;
         std::vector<StageTimes::Stage> phases;
+        std::vector<Pass> passes;
         std::optional<trace::RenderStatistics> statistics;
     };
     void put_frame(class JsonWriter& json, const FrameRecord& frame) const;

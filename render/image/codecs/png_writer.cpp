@@ -1,6 +1,6 @@
 #include "render/image/codecs/png_writer.h"
 
-#include "render/image/pixels/picture.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <zlib.h>
 
@@ -59,10 +59,10 @@ struct PngWriter::Encoder {
     Encoder(const std::string& path, const FileShape& shape, int effort)
         : file(std::fopen(path.c_str(), "wb"), std::fclose), bits(shape.bits)
     {
-        if (!file) throw FileError(std::strerror(errno));
+        if (!file) fail_by_system(errno);
         if (shape.width < 1 || shape.height < 1) throw FileError("PNG takes no picture without pixels");
         if (deflateInit2(&zip, effort, Z_DEFLATED, MAX_WBITS, 8, Z_FILTERED) != Z_OK)
-            throw FileError("not enough memory for PNG");
+            throw PassingFailure("not enough memory for PNG");
         step = static_cast<std::size_t>(shape.channels) * (bits <= 8 ? 1 : 2);
         size = static_cast<std::size_t>(shape.width) * step;
         row.resize(step + size);
@@ -77,7 +77,7 @@ struct PngWriter::Encoder {
 
     void write(const void* data, std::size_t count)
     {
-        if (std::fwrite(data, 1, count, file.get()) != count) throw FileError(std::strerror(errno));
+        if (std::fwrite(data, 1, count, file.get()) != count) fail_by_system(errno);
     }
     void chunk(const char* name, const std::uint8_t* data, std::size_t count)
     {
@@ -152,7 +152,7 @@ struct PngWriter::Encoder {
             end_chunk_data();
         }
         chunk("IEND", nullptr, 0);
-        if (std::fclose(file.release()) != 0) throw FileError(std::strerror(errno));  // a full disk may show only now
+        if (std::fclose(file.release()) != 0) fail_by_system(errno);  // a full disk may show only now
     }
 
     void begin_chunk_data()
