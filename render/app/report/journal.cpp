@@ -35,6 +35,12 @@ void Journal::parsed(const parser::Result& result, const StageTimes& times)
     speaker_.parsed(result, times);
 }
 
+void Journal::made_from(const std::string& fingerprint)
+{
+    frames_.back().fingerprint = fingerprint;
+    speaker_.made_from(fingerprint);
+}
+
 void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     FrameRecord& frame = frames_.back();
@@ -51,7 +57,8 @@ void Journal::written(const std::string& path)
 
 void Journal::skipped(const std::string& path)
 {
-    FrameRecord& frame = frames_.emplace_back();
+    const bool read = !frames_.empty() && frames_.back().picture == path;  // to compare its fingerprint
+    FrameRecord& frame = read ? frames_.back() : frames_.emplace_back();
     frame.skipped = true;
     frame.picture = path;
     speaker_.skipped(path);
@@ -118,6 +125,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     if (frame.skipped) {
         json.key("skipped").truth(true);
         json.key("picture").text(frame.picture);
+        if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
         return json.end();
     }
     json.key("number").integer(frame.number);
@@ -126,6 +134,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("picture");
     if (frame.written) json.text(frame.picture);
     else json.null();
+    if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
     if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
     if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();
