@@ -1,6 +1,7 @@
 #include "parser/grammar.h"
 #include "render/app/benchmark.h"
 #include "render/app/compare_command.h"
+#include "render/app/join/join_command.h"
 #include "render/app/options/command_line.h"
 #include "render/app/options/help.h"
 #include "render/app/options/ini_file.h"
@@ -47,6 +48,8 @@ bool is_tool(const Words& arguments)
 int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
 {
     if (is_compare(arguments)) return app::call({"compare", app::compare_help, app::compare_command}, arguments);
+    if (!arguments.empty() && arguments[0] == "join")
+        return app::call({"join", app::join_help, app::join_command}, arguments);
     if (is_tool(arguments)) become_tools(arguments, settings.console_style == app::ConsoleStyle::Povray);
     if (app::wants_help(arguments)) {
         fmt::print("{}", app::help_text());

@@ -101,6 +101,18 @@ void set_progress(Settings& s, const std::string& value)
     s.progress = value == "povray" ? Povray : value == "json" ? Json : OpenJd;
 }
 
+void set_shard(Settings& s, const std::string& value)
+{
+    constexpr int kMost = 1'000'000;
+    const char* const last = value.data() + value.size();
+    const auto [slash, error] = std::from_chars(value.data(), last, s.shard);
+    const bool has_slash = error == std::errc() && slash != last && *slash == '/';
+    const auto [end, other] = has_slash ? std::from_chars(slash + 1, last, s.shards)
+                                        : std::from_chars_result{slash, std::errc::invalid_argument};
+    if (other != std::errc() || end != last || s.shard < 1 || s.shard > s.shards || s.shards > kMost)
+        throw OptionError("--shard wants a part and their number, as in 3/16, found '" + value + "'");
+}
+
 /// In the order in which texts show them.
 constexpr OwnOption kOwnOptions[] = {
     {"check", "", "read the scene, tell its errors and warnings, and stop; files that it would write are left alone",
@@ -137,6 +149,9 @@ constexpr OwnOption kOwnOptions[] = {
      "so much may the pixels of a picture take, 16 bytes each: larger pictures are rendered by rows; usual: half of "
      "what is free",
      set_memory},
+    {"shard", "I/N",
+     "render part I of N of the picture, into PICTURE.I-of-N.whittle-part: whittle join makes the picture of all parts",
+     set_shard},
     {"allow-write", "FOLDER",
      "a scene may write files below this folder too, besides the current one and the picture's",
      [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},

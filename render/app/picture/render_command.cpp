@@ -1,6 +1,7 @@
 #include "render/app/picture/render_command.h"
 
 #include "render/app/options/effective_ini.h"
+#include "render/app/output/output_name.h"
 #include "render/app/picture/frame_render.h"
 #include "render/app/run/allocation.h"
 #include "render/app/run/memory.h"
@@ -88,12 +89,22 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
         if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
         if (traces) trace::prepare(isa_of(settings), threads_for(settings.threads));
-        if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
+        if (traces && settings.output_to_file && settings.shards == 0) run.files.prepare(settings.file_type);
         return render_all(run);
     } catch (const std::exception& error) {
         reporter.failed(messages_of(error));
         return status_of(error);
     }
+}
+
+/// What cannot be rendered in parts.
+void refuse_part(const Settings& settings)
+{
+    if (!settings.output_to_file || to_standard_output(settings) || to_standard_error(settings))
+        throw OptionError("--shard writes a part's file: it goes with a picture that has a name");
+    if (plan_options(settings).grain_stream)
+        throw OptionError("--faithful with one thread draws its random numbers from block to block, as POV-Ray does: a "
+                          "part would have others");
 }
 
 }  // namespace
@@ -112,6 +123,7 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
         throw OptionError("--denoise is for pictures of the path tracer: it goes with --integrator=path");
     if (settings.greyscale && !image::stores_greyscale(settings.file_type))
         throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    if (settings.shards > 0) refuse_part(settings);
     window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);

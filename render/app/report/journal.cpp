@@ -47,6 +47,12 @@ void Journal::pass(const std::string& name)
     speaker_.pass(name);
 }
 
+void Journal::made_from(const std::string& fingerprint)
+{
+    frames_.back().fingerprint = fingerprint;
+    speaker_.made_from(fingerprint);
+}
+
 void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     FrameRecord& frame = frames_.back();
@@ -63,7 +69,8 @@ void Journal::written(const std::string& path)
 
 void Journal::skipped(const std::string& path)
 {
-    FrameRecord& frame = frames_.emplace_back();
+    const bool read = !frames_.empty() && frames_.back().picture == path;  // to compare its fingerprint
+    FrameRecord& frame = read ? frames_.back() : frames_.emplace_back();
     frame.skipped = true;
     frame.picture = path;
     speaker_.skipped(path);
@@ -130,6 +137,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     if (frame.skipped) {
         json.key("skipped").truth(true);
         json.key("picture").text(frame.picture);
+        if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
         return json.end();
     }
     json.key("number").integer(frame.number);
@@ -138,6 +146,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("picture");
     if (frame.written) json.text(frame.picture);
     else json.null();
+    if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
     if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
     if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();

@@ -19,6 +19,7 @@ public:
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
     void parsed(const parser::Result& result, const StageTimes& times) override;
+    void made_from(const std::string& fingerprint) override;
     void still_reading(const parser::ReadingPlace& where, double seconds) override
     {
         speaker_.still_reading(where, seconds);
@@ -51,7 +52,7 @@ private:
         int number = 0;
         double clock = 0.0;
         bool skipped = false, written = false;
-        std::string scene, picture;
+        std::string scene, picture, fingerprint;
         Kept kept;
         parser::Statistics parser;
         std::vector<std::string> files;

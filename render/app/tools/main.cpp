@@ -27,7 +27,7 @@ constexpr std::array kCalled = {
     app::Called{"watch", app::watch_help, app::cancellable<app::watch_command>},
 };
 // clang-format on
-static_assert(kCalled.size() + 1 == app::kSubCommands.size(), "but for compare, which the renderer does");
+static_assert(kCalled.size() + 2 == app::kSubCommands.size(), "but for compare and join, which the renderer does");
 
 int run(const app::Words& arguments, app::Settings&, app::Remains&)
 {

@@ -95,6 +95,12 @@ struct PngWriter::Encoder {
         chunk(name, data.data(), N);
     }
 
+    void put_text(const char* key, const std::string& value)
+    {
+        const std::string text = key + std::string(1, '\0') + value;
+        chunk("tEXt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    }
+
     /// The entries before the samples.
     void begin(const FileShape& shape)
     {
@@ -115,8 +121,8 @@ struct PngWriter::Encoder {
         std::array<std::uint8_t, 4> significant{};
         significant.fill(static_cast<std::uint8_t>(bits));
         chunk("sBIT", significant.data(), static_cast<std::size_t>(shape.channels));
-        const std::string text = "Software" + std::string(1, '\0') + shape.software;
-        chunk("tEXt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+        put_text("Software", shape.software);
+        if (!shape.fingerprint.empty()) put_text(kFingerprintKey, shape.fingerprint);
     }
 
     void try_filter(std::uint8_t number, std::uint32_t& least, auto predict)
