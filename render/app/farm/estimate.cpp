@@ -33,6 +33,12 @@ Known with_values(const std::vector<std::pair<std::size_t, FrameCost>>& known, d
     return out;
 }
 
+/// Nothing is guessed of a size that was measured itself.
+double off(const SizedCost& measured, const SizeModel& model, double pixels)
+{
+    return measured.pixels < pixels ? model.error() : 0.0;
+}
+
 /// Frames of which some are known.
 JobEstimate filled_in(const std::vector<std::pair<std::size_t, FrameCost>>& known, std::size_t count, double error)
 {
@@ -59,8 +65,8 @@ std::vector<double> between(const Known& known, std::size_t count)
         const auto [place, value] = known[k];
         const bool last = k + 1 == known.size();
         const std::size_t end = last ? count : known[k + 1].first;
-        const double slope =
-            last ? 0.0 : (known[k + 1].second - value) / static_cast<double>(known[k + 1].first - place);
+        const double slope = last ? 0.0
+                                  : (known[k + 1].second - value) / static_cast<double>(known[k + 1].first - place);
         for (std::size_t i = place; i < end; ++i) out[i] = value + slope * static_cast<double>(i - place);
     }
     return out;
@@ -100,7 +106,7 @@ JobEstimate estimate_job(const FarmJob& job, const Cancellation& cancel)
     for (const SizedCost& size : sizes) spent += cost_of(size);
     const SizeModel model(sizes);
     if (count == 1) {
-        JobEstimate out = filled_in({{0, model.at(pixels, sizes.back())}}, 1, model.error());
+        JobEstimate out = filled_in({{0, model.at(pixels, sizes.back())}}, 1, off(sizes.back(), model, pixels));
         out.spent = spent;
         return out;
     }
@@ -116,7 +122,7 @@ JobEstimate estimate_job(const FarmJob& job, const Cancellation& cancel)
         spent += cost_of(cost);
         known.emplace_back(i, model.at(pixels, cost));
     }
-    JobEstimate out = filled_in(known, count, model.error());
+    JobEstimate out = filled_in(known, count, off(sizes[std::min(size, sizes.size() - 1)], model, pixels));
     out.spent = spent;
     return out;
 }

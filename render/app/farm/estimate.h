@@ -14,8 +14,8 @@ struct JobEstimate {
     double spent = 0.0;             ///< processor seconds that this took
 };
 
-/// From every k-th frame as a small picture, or from finished tasks where the job names some. Says on standard error what
-/// it does. An empty one was cancelled.
+/// From every k-th frame as a small picture, or from finished tasks where the job names some. Says on standard error
+/// what it does. An empty one was cancelled.
 JobEstimate estimate_job(const FarmJob& job, const Cancellation& cancel);
 
 /// Values at 0, 1, ... `count` - 1 from those that are known, by lines between them.

@@ -49,7 +49,8 @@ void complete(FarmJob& job, std::vector<std::string> words)
     job.words = std::move(words);
     read_default_ini_file(job.settings);
     apply_command_line(job.settings, job.words);
-    if (job.settings.input_file.empty()) throw OptionError("no scene given: whittle plan scene.pov, or whittle plan --help");
+    if (job.settings.input_file.empty())
+        throw OptionError("no scene given: whittle plan scene.pov, or whittle plan --help");
     if (job.settings.input_file == "-" || job.settings.output_file == "-")
         throw OptionError("many tasks read one scene and write many pictures: neither can be a stream");
     job.list = frames_of(job.settings);

@@ -10,9 +10,8 @@
 namespace app {
 namespace {
 
-constexpr double kMega = 1024.0 * 1024.0;
 /// Of memory beyond what was seen: a frame that was not measured may take more.
-constexpr double kReserve = 1.25, kLeastReserve = 64.0 * kMega;
+constexpr double kReserve = 1.25, kLeastReserve = 64.0 * kMebibyte;
 constexpr double kJoinStart = 0.05, kJoinPixel = 1e-7;  // seconds: to start, and to read and write a pixel
 
 double task_seconds(const FarmJob& job, double reading, double traced) { return reading + traced / job.cores; }
@@ -67,7 +66,7 @@ void put_task(JsonWriter& json, const FarmJob& job, const FarmTask& task)
     json.begin_object();
     json.key("what").text(task.what);
     json.key("cores").integer(job.cores);
-    json.key("mib").integer(static_cast<std::int64_t>(std::ceil(task.memory / kMega)));
+    json.key("mib").integer(static_cast<std::int64_t>(std::ceil(task.memory / kMebibyte)));
     json.key("seconds").number(task.seconds);
     json.end();
 }
@@ -113,16 +112,17 @@ JobPlan plan_of(const FarmJob& job, const JobEstimate& estimate)
 
 std::string plan_text(const FarmJob& job, const JobPlan& plan)
 {
-    std::string text = fmt::format("{:<20} {:>5} {:>8} {:>9}\n", plan.parts ? "part" : "frames", "cores", "MiB", "seconds");
+    std::string text =
+        fmt::format("{:<20} {:>5} {:>8} {:>9}\n", plan.parts ? "part" : "frames", "cores", "MiB", "seconds");
     const auto line = [&](const FarmTask& task) {
-        text += fmt::format("{:<20} {:>5} {:>8.0f} {:>9}\n", task.what, job.cores, std::ceil(task.memory / kMega),
+        text += fmt::format("{:<20} {:>5} {:>8.0f} {:>9}\n", task.what, job.cores, std::ceil(task.memory / kMebibyte),
                             seconds_text(task.seconds));
     };
     if (plan.first) line(*plan.first);
     for (const FarmTask& task : plan.tasks) line(task);
     line(plan.join);
     text += fmt::format("sum {} s, critical path {} s, give a task {:.0f} MiB; ", seconds_text(plan.sum),
-                        seconds_text(plan.critical_path), std::ceil(plan.memory / kMega));
+                        seconds_text(plan.critical_path), std::ceil(plan.memory / kMebibyte));
     const char* const how = job.from.empty() ? "small" : "finished";
     return text + fmt::format("expected to be off by {:.0f} %, told by {} {} frame{} in {} s\n", 100.0 * plan.error,
                               plan.measured, how, plan.measured == 1 ? "" : "s", seconds_text(plan.spent));
@@ -147,7 +147,7 @@ std::string plan_json(const FarmJob& job, const JobPlan& plan)
     put_task(json, job, plan.join);
     json.key("sum_seconds").number(plan.sum);
     json.key("critical_path_seconds").number(plan.critical_path);
-    json.key("task_mib").integer(static_cast<std::int64_t>(std::ceil(plan.memory / kMega)));
+    json.key("task_mib").integer(static_cast<std::int64_t>(std::ceil(plan.memory / kMebibyte)));
     json.key("expected_error").number(plan.error);
     json.key("measured_frames").integer(plan.measured);
     json.key("measuring_seconds").number(plan.spent);

@@ -8,6 +8,8 @@
 
 namespace app {
 
+inline constexpr double kMebibyte = 1024.0 * 1024.0;
+
 /// A task of a farm: one start of the renderer.
 struct FarmTask {
     std::string what;      ///< frames "1-10" or a part "3/16", as the renderer's option has it

@@ -48,7 +48,8 @@ bool read_cost(const json& frame, SizedCost& cost)
 std::string window_words(const Settings& settings)
 {
     const Window w = window_of(settings);
-    if (w.first_column == 0 && w.first_row == 0 && w.last_column + 1 == settings.width && w.last_row + 1 == settings.height)
+    if (w.first_column == 0 && w.first_row == 0 && w.last_column + 1 == settings.width &&
+        w.last_row + 1 == settings.height)
         return {};
     const auto share = [](int at, int of) { return static_cast<double>(at) / of; };
     return fmt::format(" +SC{:.6f} +EC{:.6f} +SR{:.6f} +ER{:.6f}", share(w.first_column, settings.width),
@@ -71,7 +72,8 @@ SizedCost measure_frame(const FarmJob& job, const Frame& frame, double scale, co
     command += " +O" + shell_word(scratch / "a") + " --json=" + shell_word(scratch / "a.json");
     const int status = std::system((command + " </dev/null >/dev/null 2>" + shell_word(scratch / "told")).c_str());
     if (cancel.requested) return {};
-    if (status != 0) throw std::runtime_error("the renderer fails on a small picture: " + text_of_file(scratch / "told"));
+    if (status != 0)
+        throw std::runtime_error("the renderer fails on a small picture: " + text_of_file(scratch / "told"));
     SizedCost cost;
     const json told = json::parse(text_of_file(scratch / "a.json"), nullptr, false);
     if (!told.is_object() || told.value("frames", json::array()).size() != 1 || !read_cost(told["frames"][0], cost))

@@ -7,7 +7,8 @@
 namespace app {
 namespace {
 
-constexpr const char* kPlanUsage = R"(usage: whittle plan SCENE [--tasks=N] [--cores=N] [--json] [--from=FOLDER] [options]
+constexpr const char* kPlanUsage =
+    R"(usage: whittle plan SCENE [--tasks=N] [--cores=N] [--json] [--from=FOLDER] [options]
 
 What a picture or an animation costs on many machines: tasks with cores, MiB and seconds each, their sum, the critical path, and how
 far off that may be. It renders small pictures, of an animation every k-th frame.

@@ -15,7 +15,8 @@ double growth_of(double small, double large, double ratio, double least, double 
     return std::clamp(std::log(large / small) / std::log(ratio), least, most);
 }
 
-/// What a ray of antialiasing costs against a pixel without, from two sizes. Edges are dear: neighbours hit other things.
+/// What a ray of antialiasing costs against a pixel without, from two sizes. Edges are dear: neighbours hit other
+/// things.
 double weight_of(const SizedCost& small, const SizedCost& large)
 {
     constexpr double kLeast = 0.3, kMost = 6.0;

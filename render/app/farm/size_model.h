@@ -35,7 +35,7 @@ public:
 
 private:
     double passes_growth_ = 1.0, edges_growth_ = 1.0;  ///< exponents of pixels
-    double sample_weight_ = 1.0;  ///< what a ray of antialiasing costs, in pixels without it
+    double sample_weight_ = 1.0;                       ///< what a ray of antialiasing costs, in pixels without it
     double error_ = 0.0;
 };
 
