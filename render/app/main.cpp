@@ -1,6 +1,7 @@
 #include "parser/grammar.h"
 #include "render/app/benchmark.h"
 #include "render/app/compare_command.h"
+#include "render/app/join/join_command.h"
 #include "render/app/options/command_line.h"
 #include "render/app/options/help.h"
 #include "render/app/options/ini_file.h"
@@ -14,7 +15,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <unistd.h>
 
 namespace {
@@ -40,6 +43,9 @@ bool is_tool(const Words& arguments)
     Words copy = arguments;
     for (std::string& word : copy) words.push_back(word.data());
     words.push_back(nullptr);
+    std::error_code unknown;  // what the tools have to start is this program, wherever the shell found it
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    if (!unknown) setenv("WHITTLE_PROGRAM", own.c_str(), 1);
     execv(program->c_str(), words.data());
     throw app::OptionError(fmt::format("cannot start '{}': {}", program->string(), std::strerror(errno)));
 }
@@ -47,6 +53,8 @@ bool is_tool(const Words& arguments)
 int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
 {
     if (is_compare(arguments)) return app::call({"compare", app::compare_help, app::compare_command}, arguments);
+    if (!arguments.empty() && arguments[0] == "join")
+        return app::call({"join", app::join_help, app::join_command}, arguments);
     if (is_tool(arguments)) become_tools(arguments, settings.console_style == app::ConsoleStyle::Povray);
     if (app::wants_help(arguments)) {
         fmt::print("{}", app::help_text());

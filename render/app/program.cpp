@@ -96,8 +96,9 @@ void run_program(int count, char** values, int (*run)(const Words&, Settings&, R
     try {
         status = run(arguments, settings, remains);
     } catch (const std::exception& error) {
+        status = status_of(error);
         const std::string text = text_of(error);
-        journal_option_error(settings, text);
+        journal_option_error(settings, text, status);
         tell_option_error(settings.console_style, fmt::format("{}", fmt::join(values, values + count, " ")), text);
     }
     status = with_output(status, failure);

@@ -4,9 +4,11 @@
 #include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
+#include "render/image/channel_writer.h"
 #include "render/image/picture_writer.h"
 #include "render/image/codecs/png_writer.h"
 #include "render/image/codecs/ppm_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <algorithm>
 #include <array>
@@ -115,40 +117,28 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
 {
     Replacement replacement(path);
     try {
-        const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware};
+        const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware, {}};
         const std::unique_ptr<RowSink> sink =
             integer_sink(*loader_, type, replacement.temporary(), shape, jpeg_quality, false);
         for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
         sink->finish();
     } catch (const FileError& error) {
-        throw FileError("cannot write '" + path + "': " + error.what());
+        fail_named("cannot write '" + path + "': ", error);
     }
     replacement.put_in_place();
 }
 
 void Files::write_channels(const std::string& path, const Channels& channels) const
 {
-    Replacement replacement(path);
-    try {
-        std::vector<const char*> names, attributes;
-        for (const std::string& name : channels.names) names.push_back(name.c_str());
-        for (const auto& [key, text] : channels.attributes)
-            attributes.insert(attributes.end(), {key.c_str(), text.c_str()});
-        attributes.push_back(nullptr);
-        WriteRequest request{};
-        request.format = facts(FileType::OpenExr).format;
-        request.linear_light = true;
-        request.channel_names = names.data();
-        request.attributes = attributes.data();
-        const FileShape shape{channels.width, channels.height, static_cast<int>(names.size()), 32, {}, kSoftware};
-        IoWriter writer(loader_->get(), replacement.temporary(), shape, request);
-        const std::size_t row = names.size() * static_cast<std::size_t>(channels.width);
-        for (std::size_t at = 0; at < channels.values.size(); at += row) writer.put_levels(&channels.values[at]);
-        writer.finish();
-    } catch (const FileError& error) {
-        throw FileError("cannot write '" + path + "': " + error.what());
-    }
-    replacement.put_in_place();
+    const std::unique_ptr<ChannelWriter> writer = start_channels(path, channels);
+    const std::size_t row = channels.names.size() * static_cast<std::size_t>(channels.width);
+    for (std::size_t at = 0; at < channels.values.size(); at += row) writer->put(&channels.values[at]);
+    writer->finish(false);
+}
+
+std::unique_ptr<ChannelWriter> Files::start_channels(const std::string& path, const Channels& what) const
+{
+    return std::make_unique<ChannelWriter>(*loader_, path, what);
 }
 
 Picture Files::read(const std::string& path) const
@@ -157,6 +147,8 @@ Picture Files::read(const std::string& path) const
         const ByteList bytes = bytes_of_file(path);
         if (auto picture = decode_directly(path, bytes)) return std::move(*picture);
         return read_by_library(path, kind_of_file(path, bytes));
+    } catch (const FileError& error) {
+        fail_named("cannot read '" + path + "': ", error);
     } catch (const std::exception& error) {
         throw FileError("cannot read '" + path + "': " + error.what());
     }

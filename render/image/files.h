@@ -13,6 +13,7 @@ namespace image {
 
 class IoLoader;
 class PictureWriter;
+class ChannelWriter;
 
 /// POV-Ray's letters for output file types (spec 1, 18.11).
 enum class FileType : char {
@@ -40,13 +41,17 @@ struct FileSettings {
     Encoding encoding;
     int jpeg_quality = 85;
     bool quick = false;  ///< PNG: not compressed, for a picture that nobody keeps
+    /// Of what the picture is made from, kept in files of PNG and OpenEXR; empty: not known, or not all of it is there.
+    std::string fingerprint = {};
+    bool lasting = false;  ///< on the disk before it has its name, whatever the file system makes of that
 };
 
 /// Values of any meaning by pixel, for an OpenEXR file: 32-bit floats, interleaved, top row first.
 struct Channels {
     int width = 0, height = 0;
+    int top = 0;                     ///< the first row that is here
     std::vector<std::string> names;  ///< "layer.X"
-    std::vector<float> values;       ///< names.size() * width * height
+    std::vector<float> values;       ///< names.size() * width for each row that is here
     std::vector<std::pair<std::string, std::string>> attributes;
 };
 
@@ -68,6 +73,8 @@ public:
                int jpeg_quality = 85) const;
     /// An OpenEXR file of many channels. Throws FileError.
     void write_channels(const std::string& path, const Channels& channels) const;
+    /// The same whose rows come one by one; `what` has no values.
+    std::unique_ptr<ChannelWriter> start_channels(const std::string& path, const Channels& what) const;
     /// Throws FileError.
     Picture read(const std::string& path) const;
 

@@ -3,30 +3,55 @@
 #include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
 namespace image {
 
-Replacement::Replacement(const std::string& path)
-    : path_(path), temporary_(path + "." + std::to_string(getpid()) + ".part")
-{}
+namespace {
+
+/// Machines that share a folder have processes of the same number.
+std::string own_name()
+{
+    std::array<char, 64> host{};
+    gethostname(host.data(), host.size() - 1);
+    constexpr std::size_t kShort = 16;  // names of files have an end
+    return std::string(host.data()).substr(0, kShort) + "." + std::to_string(getpid());
+}
+
+bool on_disk(const char* path, int flags)
+{
+    const int file = open(path, flags | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool done = fsync(file) == 0 || errno == EINVAL;  // some file systems have nothing to do for a folder
+    close(file);
+    return done;
+}
+
+}  // namespace
+
+Replacement::Replacement(const std::string& path) : path_(path), temporary_(path + "." + own_name() + ".part") {}
 
 Replacement::~Replacement()
 {
     if (!placed_) std::remove(temporary_.c_str());
 }
 
-void Replacement::put_in_place()
+void Replacement::put_in_place(bool lasting)
 {
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
-        throw FileError("cannot write '" + path_ + "': " + std::strerror(errno));
+    if ((lasting && !on_disk(temporary_.c_str(), O_RDONLY)) || std::rename(temporary_.c_str(), path_.c_str()) != 0)
+        fail_by_system(errno, "cannot write '" + path_ + "': " + std::strerror(errno));
     placed_ = true;
+    const std::size_t slash = path_.rfind('/');
+    if (lasting) on_disk(slash == std::string::npos ? "." : path_.substr(0, slash + 1).c_str(), O_RDONLY | O_DIRECTORY);
 }
 
 /// The sinks' messages name no file.
@@ -36,18 +61,19 @@ void PictureWriter::named(Work&& work) const
     try {
         work();
     } catch (const FileError& error) {
-        throw FileError("cannot write '" + replacement_.path() + "': " + error.what());
+        fail_named("cannot write '" + replacement_.path() + "': ", error);
     }
 }
 
 PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int width, int height,
                              const FileSettings& settings)
-    : width_(width), height_(height), bottom_up_(settings.type == FileType::Bmp), replacement_(path)
+    : width_(width), height_(height), bottom_up_(settings.type == FileType::Bmp), lasting_(settings.lasting),
+      replacement_(path)
 {
     const TypeFacts& type = facts(settings.type);
     Encoding encoding = settings.encoding;
     encoding.alpha = encoding.alpha && type.alpha;
-    FileShape shape{width, height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware};
+    FileShape shape{width, height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware, settings.fingerprint};
     if (type.linear_light) {
         const IoModule& module = loader.get();
         working_ = encoding.curves.working;
@@ -55,6 +81,8 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
         WriteRequest request{};
         request.format = type.format;
         request.linear_light = true;
+        const std::array<const char*, 3> attributes{kFingerprintKey, shape.fingerprint.c_str(), nullptr};
+        if (settings.type == FileType::OpenExr && !shape.fingerprint.empty()) request.attributes = attributes.data();
         named([&] {
             auto writer = std::make_unique<IoWriter>(module, replacement_.temporary(), shape, request);
             levels_ = writer.get();
@@ -113,7 +141,7 @@ void PictureWriter::finish()
         }
         sink_->finish();
     });
-    replacement_.put_in_place();
+    replacement_.put_in_place(lasting_);
 }
 
 }  // namespace image

@@ -11,7 +11,7 @@ namespace image {
 
 class IoLoader;
 
-/// A file of this process beside `path`, removed unless it was put in place.
+/// A file of this process, whichever machine it runs on, beside `path`, removed unless it was put in place.
 class Replacement {
 public:
     explicit Replacement(const std::string& path);
@@ -20,7 +20,8 @@ public:
     ~Replacement();
     const std::string& path() const { return path_; }
     const std::string& temporary() const { return temporary_; }
-    void put_in_place();
+    /// \param lasting  on the disk before it has its name: a machine that loses its power leaves the old or the new
+    void put_in_place(bool lasting = false);
 
 private:
     std::string path_, temporary_;
@@ -47,7 +48,7 @@ private:
     void named(Work&& work) const;
 
     const int width_, height_;
-    const bool bottom_up_;
+    const bool bottom_up_, lasting_;
     int taken_ = 0;
     Replacement replacement_;
     TransferCurve working_;  ///< of pixels that are stored as linear light

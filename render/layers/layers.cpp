@@ -90,9 +90,9 @@ private:
 
     void put(std::span<const trace::FirstHit> samples, int x, int y)
     {
-        float* to =
-            &out_.values[out_.names.size() * (static_cast<std::size_t>(y) * static_cast<std::size_t>(out_.width) +
-                                              static_cast<std::size_t>(x))];
+        float* to = &out_.values[out_.names.size() *
+                                 (static_cast<std::size_t>(y - out_.top) * static_cast<std::size_t>(out_.width) +
+                                  static_cast<std::size_t>(x))];
         const trace::FirstHit& middle = samples[0];
         const auto three = [&](const glm::vec3& v) { to = std::copy_n(&v.x, 3, to); };
         for (const Kind kind : kinds_) {
@@ -133,7 +133,7 @@ private:
 
 /// Every square of the picture, by all threads. False: cancelled.
 bool look(const plan::CompiledScene& scene, const std::vector<Kind>& kinds, const std::vector<std::string>& names,
-          const trace::RenderOptions& options, bool antialiased, image::Channels& out)
+          const trace::RenderOptions& options, bool antialiased, Rows rows, image::Channels& out)
 {
     std::vector<float> ids;
     for (const std::string& name : names) ids.push_back(id_of(name));
@@ -141,17 +141,19 @@ bool look(const plan::CompiledScene& scene, const std::vector<Kind>& kinds, cons
     const trace::path::Sources none;
     trace::Workers<trace::PathTracer> workers(
         options, [&] { return kernel.make_paths(scene, none, options.cancel); }, kernel.free_paths);
-    const int columns = (out.width + kSide - 1) / kSide, rows = (out.height + kSide - 1) / kSide;
-    return workers.each(0, static_cast<std::size_t>(rows), [&](std::size_t row, auto& worker) {
-        Square square(scene, kinds, ids, antialiased ? kSamples : 1, out);
-        for (int column = 0; column < columns; ++column) {
-            const int left = column * kSide, top = static_cast<int>(row) * kSide;
-            if (!square.make(kernel, *worker.tracer,
-                             {left, top, std::min(kSide, out.width - left), std::min(kSide, out.height - top)}))
-                return false;
-        }
-        return true;
-    });
+    const int columns = (out.width + kSide - 1) / kSide, first = rows.first / kSide,
+              last = (rows.last + kSide - 1) / kSide;
+    return workers.each(
+        static_cast<std::size_t>(first), static_cast<std::size_t>(last), [&](std::size_t row, auto& worker) {
+            Square square(scene, kinds, ids, antialiased ? kSamples : 1, out);
+            for (int column = 0; column < columns; ++column) {
+                const int left = column * kSide, top = static_cast<int>(row) * kSide;
+                if (!square.make(kernel, *worker.tracer,
+                                 {left, top, std::min(kSide, out.width - left), std::min(kSide, out.height - top)}))
+                    return false;
+            }
+            return true;
+        });
 }
 
 }  // namespace
@@ -176,29 +178,38 @@ std::vector<Kind> kinds_of(std::string_view list)
     return out;
 }
 
-std::optional<image::Channels> make_layers(const plan::CompiledScene& scene, const std::vector<Kind>& kinds,
-                                           const std::vector<std::string>& names, const trace::RenderOptions& options,
-                                           bool antialiased)
+image::Channels layers_of(const std::vector<Kind>& kinds, const std::vector<std::string>& names)
 {
     image::Channels out;
-    out.width = scene.options.width;
-    out.height = scene.options.height;
-    std::optional<std::size_t> time;
     for (const Kind kind : kinds) {
-        if (kind == Kind::Time) time = out.names.size();
         for (const std::string_view channel : of(kind).channels)
             if (!channel.empty()) out.names.push_back(std::string(of(kind).name) + "." + std::string(channel));
         if (kind != Kind::Object) continue;
         for (std::string& channel : cryptomatte_channels()) out.names.push_back(std::move(channel));
         out.attributes = cryptomatte_attributes(names);
     }
-    const std::size_t pixels = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
+    return out;
+}
+
+std::optional<image::Channels> make_layers(const plan::CompiledScene& scene, const std::vector<Kind>& kinds,
+                                           const std::vector<std::string>& names, const trace::RenderOptions& options,
+                                           bool antialiased, Rows rows)
+{
+    image::Channels out = layers_of(kinds, names);
+    out.width = scene.options.width;
+    out.height = scene.options.height;
+    out.top = rows.first;
+    const std::size_t width = static_cast<std::size_t>(out.width),
+                      pixels = width * static_cast<std::size_t>(rows.last - rows.first),
+                      before = width * static_cast<std::size_t>(rows.first);
     out.values.assign(out.names.size() * pixels, 0.0f);
-    if (!look(scene, kinds, names, options, antialiased, out)) return {};
-    if (!time) return out;
+    if (!look(scene, kinds, names, options, antialiased, rows, out)) return {};
+    const auto time = std::find(out.names.begin(), out.names.end(), "time.ns") - out.names.begin();
+    if (time == static_cast<std::ptrdiff_t>(out.names.size())) return out;
     const study::Heat heat = study::measure_heat(scene, options);
     if (heat.ns.empty()) return {};
-    for (std::size_t i = 0; i < pixels; ++i) out.values[out.names.size() * i + *time] = heat.ns[i];
+    for (std::size_t i = 0; i < pixels; ++i)
+        out.values[out.names.size() * i + static_cast<std::size_t>(time)] = heat.ns[before + i];
     return out;
 }
 

@@ -4,13 +4,22 @@
 
 namespace trace {
 
-Blocks::Blocks(const plan::Options& options)
+namespace {
+
+Block window_of(const plan::Options& options)
 {
     const int right = options.end_column < 0 ? options.width - 1 : options.end_column;
     const int bottom = options.end_row < 0 ? options.height - 1 : options.end_row;
-    window_ = {options.start_column, options.start_row, right - options.start_column + 1,
-               bottom - options.start_row + 1};
-    side_ = std::max(1, std::min(options.block_size, std::max(window_.width, window_.height)));
+    return {options.start_column, options.start_row, right - options.start_column + 1, bottom - options.start_row + 1};
+}
+
+}  // namespace
+
+Blocks::Blocks(const plan::Options& options) : Blocks(window_of(options), options.block_size) {}
+
+Blocks::Blocks(const Block& window, int side)
+    : window_(window), side_(std::max(1, std::min(side, std::max(window.width, window.height))))
+{
     const auto count = [this](int length) {
         return length > 0 ? (static_cast<std::size_t>(length) - 1) / static_cast<std::size_t>(side_) + 1 : 0;
     };

@@ -12,6 +12,8 @@ class Blocks {
 public:
     Blocks() = default;
     explicit Blocks(const plan::Options& options);
+    Blocks(const Block& window, int side);
+    const Block& window() const { return window_; }
     std::size_t size() const { return per_row_ * rows_; }
     std::size_t rows() const { return rows_; }  ///< of blocks
     std::size_t per_row() const { return per_row_; }

@@ -1,6 +1,7 @@
 // The finished blocks that an interrupted render keeps. The first byte is odd where the magic, the sizes and the
 // checksums are put right first: else few inputs would come past them.
 #include "render/app/output/state_file.h"
+#include "render/app/parts/hash.h"
 #include "tests/fuzz/scratch_file.h"
 
 #include <algorithm>
@@ -10,17 +11,22 @@
 namespace {
 
 constexpr int kWide = 10, kHigh = 7, kSide = 4;
-constexpr std::uint64_t kIdentity = 0x1234;
-constexpr std::size_t kHeaderSize = 40, kRecordSize = 16;
+constexpr std::size_t kRecordSize = 16;
 
-trace::Blocks blocks()
+trace::Blocks blocks() { return {{0, 0, kWide, kHigh}, kSide}; }
+
+app::BlocksOf whole_of_it()
 {
-    plan::Options options;
-    options.width = kWide;
-    options.height = kHigh;
-    options.block_size = kSide;
-    return trace::Blocks(options);
+    app::BlocksOf of;
+    of.width = kWide;
+    of.height = kHigh;
+    of.blocks = blocks();
+    of.file.fingerprint = "1234";
+    of.last = of.blocks.size();
+    return of;
 }
+
+const std::size_t kHeaderSize = app::heading_of(whole_of_it()).size();
 
 image::Image picture()
 {
@@ -35,8 +41,7 @@ image::Image picture()
 fuzz::Bytes kept(std::size_t count)
 {
     const fuzz::ScratchFile file(".kept");
-    app::StateFile state(
-        file.path(), [] { return kIdentity; }, blocks(), 0.0);
+    app::StateFile state(file.path(), whole_of_it(), 0.0);
     const image::Image whole = picture();
     for (std::size_t i = 0; i < count; ++i) state.finished(i, whole);
     std::FILE* in = std::fopen(file.path().c_str(), "rb");
@@ -80,14 +85,13 @@ void fuzz::one(const Bytes& bytes)
     Bytes file_bytes(bytes.begin() + 1, bytes.end());
     if (bytes[0] % 2 == 1) put_right(file_bytes);
     static const ScratchFile file(".whittle-state");
-    app::StateFile state(
-        file.holding(file_bytes), [] { return kIdentity; }, blocks(), 0.0);
+    app::StateFile state(file.holding(file_bytes), whole_of_it(), 0.0);
     const std::atomic<bool> cancel = false;
     const auto found = [&](app::StateFile& file_of_blocks, image::Image& image) {
         image = picture();
         std::size_t shown = 0;
         const app::StateFile::Found what =
-            file_of_blocks.resume(kWide, kHigh, cancel, [&](const trace::Block& block, const float* samples) {
+            file_of_blocks.resume(cancel, [&](const trace::Block& block, const float* samples) {
                 require(block.left >= 0 && block.top >= 0 && block.left + block.width <= kWide &&
                             block.top + block.height <= kHigh && samples != nullptr,
                         "a block outside the picture");
@@ -106,8 +110,7 @@ void fuzz::one(const Bytes& bytes)
     const image::Image whole = picture();
     for (std::size_t i = 0; i < blocks().size(); ++i)
         if (done == 0 || !state.done()[i]) state.finished(i, whole);
-    app::StateFile again(
-        file.path(), [] { return kIdentity; }, blocks(), 0.0);
+    app::StateFile again(file.path(), whole_of_it(), 0.0);
     require(found(again, image) == app::StateFile::Found::Blocks && again.resumed() == blocks().size(),
             "blocks are lost");
 }

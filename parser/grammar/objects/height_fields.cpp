@@ -4,6 +4,8 @@
 #include "parser/grammar/core/solid_reader.h"
 #include "render/image/files.h"
 #include "render/image/height_levels.h"
+#include "render/image/pixels/passing_failure.h"
+#include "render/scene/base/passing_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +55,8 @@ Grid grid_of_picture(SolidReader& s, const scene::ImageSource& source)
         const image::HeightLevels heights =
             image::read_heights(source.path, source.gamma ? source.gamma->curve() : image::TransferCurve::linear());
         return turned_over(heights.width, heights.height, heights.levels);
+    } catch (const image::PassingFailure& error) {
+        scene::fail_for_now([&] { s.in().fail(s.source(), error.what()); });
     } catch (const image::FileError& error) {
         s.in().fail(s.source(), error.what());
     }

@@ -3,6 +3,8 @@
 #include "parser/grammar/textures/images.h"
 #include "parser/stream/functions/function.h"
 #include "render/image/files.h"
+#include "render/image/pixels/passing_failure.h"
+#include "render/scene/base/passing_error.h"
 
 #include <fmt/format.h>
 
@@ -201,6 +203,8 @@ std::shared_ptr<const image::Picture> SceneBuilder::picture(const std::string& p
     auto& known = pictures_[path];
     try {
         if (!known) known = std::make_shared<const image::Picture>(image::Files().read(path));
+    } catch (const image::PassingFailure& error) {
+        scene::fail_for_now([&] { stream().fail(at, error.what()); });
     } catch (const image::FileError& error) {
         stream().fail(at, error.what());
     }

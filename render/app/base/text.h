@@ -35,4 +35,15 @@ inline std::string_view trimmed(std::string_view text)
     return text;
 }
 
+/// A word for the shell, whatever is in it.
+inline std::string shell_word(const std::string& word)
+{
+    std::string out = "'";
+    for (const char c : word) {
+        if (c == '\'') out += "'\\''";
+        else out += c;
+    }
+    return out + '\'';
+}
+
 }  // namespace app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace app {
 
@@ -18,6 +19,23 @@ int limit_of(double given, int first, int last)
     return static_cast<int>(std::min(given, static_cast<double>(kLargestNumber)));
 }
 
+/// The frames of --frames, each once, in order.
+std::set<int> listed_frames(const Settings& settings, int first, int last)
+{
+    std::set<int> numbers;
+    for (const FrameRange& range : settings.frame_list) {
+        if (range.first < first || range.last > last)
+            throw OptionError(fmt::format("--frames: {} is not a frame of the animation, which has {} to {}",
+                                          range.first < first ? range.first : range.last, first, last));
+        if ((range.last - range.first) / range.step >= kMostFrames)
+            throw OptionError(
+                fmt::format("--frames: {}-{} are more frames than {}", range.first, range.last, kMostFrames));
+        for (long long number = range.first; number <= range.last; number += range.step)
+            numbers.insert(static_cast<int>(number));
+    }
+    return numbers;
+}
+
 }  // namespace
 
 FrameList frames_of(const Settings& settings)
@@ -27,6 +45,8 @@ FrameList frames_of(const Settings& settings)
     list.animation = !(given_first == given_last && (given_first == 0 || given_first == 1));
     list.clock_on = list.animation || settings.clock.has_value();
     if (!list.animation) {
+        if (!settings.frame_list.empty())
+            throw OptionError("--frames is for an animation, whose last frame +KFF or Final_Frame names");
         list.frames.push_back({0, settings.clock.value_or(0.0f)});
         return list;
     }
@@ -46,11 +66,17 @@ FrameList frames_of(const Settings& settings)
     const int end = std::max(begin, settings.subset_end_frame > 0.0 ? limit_of(settings.subset_end_frame, first, last)
                                                                     : last_written);
     const int step = std::clamp(settings.frame_step, 1, kLargestNumber);
+    const auto add = [&](int number) {
+        list.frames.push_back({number, static_cast<float>(list.clock_delta * (number - first) + from)});
+    };
+    if (!settings.frame_list.empty()) {
+        for (const int number : listed_frames(settings, first, last_written)) add(number);
+        return list;
+    }
     if ((end - begin) / step >= kMostFrames)
         throw OptionError(
             fmt::format("an animation has at most {} frames, these are {}", kMostFrames, (end - begin) / step + 1));
-    for (int number = begin; number <= end; number += step)
-        list.frames.push_back({number, static_cast<float>(list.clock_delta * (number - first) + from)});
+    for (int number = begin; number <= end; number += step) add(number);
     return list;
 }
 

@@ -19,6 +19,13 @@ struct LayersTask {
 /// \param path of the picture
 LayersTask layers_task(const Run& run, const scene::Description& scene, const std::string& path);
 
+/// The rows of the layers that --aov asks for. Nothing: cancelled.
+std::optional<image::Channels> make_layers(const Run& run, const LayersTask& task, const plan::CompiledScene& scene,
+                                           const trace::RenderOptions& options, layers::Rows rows);
+
+/// Where the layers of a picture go.
+std::string layers_path(const std::string& picture);
+
 /// Writes PICTURE.layers.exr beside the picture. False: cancelled.
 bool write_layers(Run& run, const LayersTask& task, const plan::CompiledScene& scene, const image::Image& picture,
                   const image::FileSettings& file, const std::string& path, const trace::RenderOptions& options);

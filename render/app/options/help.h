@@ -30,6 +30,7 @@ inline constexpr ExitStatus kExitStatuses[] = {
     {"0", "done; also a picture that +C found and left"},
     {"1", "an error: of the options, the scene, the picture's file; nothing was written over"},
     {"2", "ended by SIGINT, SIGTERM, SIGQUIT or SIGPIPE; what was finished is kept for +C"},
+    {"75", "another try may go well: a disk that is full, memory that is gone, a file that went while it was read"},
 };
 
 }  // namespace app

@@ -62,6 +62,57 @@ void set_seed(Settings& s, const std::string& value)
         throw OptionError("--seed wants a whole number from 0 to 4294967295, found '" + value + "'");
 }
 
+constexpr const char* kFrameForms = "--frames wants numbers and ranges that go up, as in 2,4,10-20 or 1-99:2, found '";
+
+/// A number at the beginning of `text`, which is taken from it; below 0 where there is none.
+int taken_number(std::string_view& text)
+{
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return -1;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+bool taken(std::string_view& text, char sign)
+{
+    if (!text.starts_with(sign)) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+void set_frames(Settings& s, const std::string& value)
+{
+    s.frame_list.clear();
+    std::string_view rest = value;
+    do {
+        FrameRange range{taken_number(rest), 0, 1};
+        range.last = taken(rest, '-') ? taken_number(rest) : range.first;
+        if (taken(rest, ':')) range.step = taken_number(rest);
+        if (range.first < 0 || range.last < range.first || range.step < 1) throw OptionError(kFrameForms + value + "'");
+        s.frame_list.push_back(range);
+    } while (taken(rest, ','));
+    if (!rest.empty()) throw OptionError(kFrameForms + value + "'");
+}
+
+void set_progress(Settings& s, const std::string& value)
+{
+    using enum ProgressLines;
+    s.progress = value == "povray" ? Povray : value == "json" ? Json : OpenJd;
+}
+
+void set_shard(Settings& s, const std::string& value)
+{
+    constexpr int kMost = 1'000'000;
+    const char* const last = value.data() + value.size();
+    const auto [slash, error] = std::from_chars(value.data(), last, s.shard);
+    const bool has_slash = error == std::errc() && slash != last && *slash == '/';
+    const auto [end, other] = has_slash ? std::from_chars(slash + 1, last, s.shards)
+                                        : std::from_chars_result{slash, std::errc::invalid_argument};
+    if (other != std::errc() || end != last || s.shard < 1 || s.shard > s.shards || s.shards > kMost)
+        throw OptionError("--shard wants a part and their number, as in 3/16, found '" + value + "'");
+}
+
 /// In the order in which texts show them.
 constexpr OwnOption kOwnOptions[] = {
     {"check", "", "read the scene, tell its errors and warnings, and stop; files that it would write are left alone",
@@ -81,6 +132,10 @@ constexpr OwnOption kOwnOptions[] = {
      [](Settings& s, const std::string& v) {
          s.console_style = v == "povray" ? ConsoleStyle::Povray : ConsoleStyle::Whittle;
      }},
+    {"frames", "LIST", "these frames of the animation alone, as in 2,4,10-20; 10-20:5 takes every fifth", set_frames},
+    {"progress", "povray|json|openjd",
+     "lines of progress for a program, on standard error: POV-Ray's, an object of JSON each, or Open Job Description's",
+     set_progress},
     {"make-folders", "", "make the folder of the picture if it is missing",
      [](Settings& s, const std::string&) { s.make_folders = true; }},
     {"state-after", "SECONDS", "after so long a render keeps its finished blocks beside the picture, for +C; usual: 2",
@@ -94,6 +149,9 @@ constexpr OwnOption kOwnOptions[] = {
      "so much may the pixels of a picture take, 16 bytes each: larger pictures are rendered by rows; usual: half of "
      "what is free",
      set_memory},
+    {"shard", "I/N",
+     "render part I of N of the picture, into PICTURE.I-of-N.whittle-part: whittle join makes the picture of all parts",
+     set_shard},
     {"allow-write", "FOLDER",
      "a scene may write files below this folder too, besides the current one and the picture's",
      [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},

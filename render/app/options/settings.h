@@ -18,6 +18,14 @@ enum class ConsoleStyle { Whittle, Povray };
 enum class Hook { PreScene, PreFrame, PostFrame, PostScene, UserAbort, FatalError };
 inline constexpr std::size_t kHookCount = 6;
 
+/// Frames from `first` on by `step` up to `last`.
+struct FrameRange {
+    int first, last, step;
+};
+
+/// Lines that tell a program of progress, beside what the console says.
+enum class ProgressLines { None, Povray, Json, OpenJd };
+
 /// What the command line and INI files ask for, with the defaults of a Debian installation of POV-Ray (spec 1, 18).
 struct Settings {
     // Scene.
@@ -34,6 +42,7 @@ struct Settings {
     float initial_clock = 0.0f, final_clock = 1.0f;
     double subset_start_frame = 0.0, subset_end_frame = 0.0;  ///< 0: not given; below 1: share of the frames
     int frame_step = 1;
+    std::vector<FrameRange> frame_list;  ///< of --frames; empty: none
     bool cyclic = false;
 
     // Picture.
@@ -58,6 +67,8 @@ struct Settings {
     bool denoise = false;        ///< of a picture of the path tracer
     double shutter = 0.0;        ///< share of the time to the next frame that a picture is exposed for
     int motion_samples = 16;     ///< moments of it
+    /// Which pixel gets another sample, or what it becomes, follows from all others.
+    bool decides_by_whole() const { return samples_error > 0.0 || error > 0.0 || denoise; }
     bool sampled() const { return paths || asks_for_samples() || shutter > 0.0; }
     bool asks_for_samples() const { return samples > 0 || samples_error > 0.0 || error > 0.0 || time > 0.0; }
 
@@ -67,9 +78,11 @@ struct Settings {
     image::FileType file_type = image::FileType::Png;
     int bits_per_color = 8;
     bool greyscale = false, alpha = false, continue_trace = false;
-    double memory = 0.0;       ///< bytes for the pixels of a picture; 0: half of what is free
-    double partial = 0.0;      ///< seconds between pictures of what is done, under the picture's name; 0: none
-    double state_after = 2.0;  ///< seconds of rendering before finished blocks are kept for +C
+    double memory = 0.0;        ///< bytes for the pixels of a picture; 0: half of what is free
+    double partial = 0.0;       ///< seconds between pictures of what is done, under the picture's name; 0: none
+    int shard = 0, shards = 0;  ///< the part of so many that is rendered, from 1 on; 0: all of the picture
+    bool prepare = false;       ///< only what the parts need of the whole
+    double state_after = 2.0;   ///< seconds of rendering before finished blocks are kept for +C
     bool dither = false;
     image::Dither dither_method = image::Dither::FloydSteinberg;
     int compression = 0;  ///< JPEG quality; 0 and 1 mean 85
@@ -89,6 +102,7 @@ struct Settings {
     std::string create_ini;  ///< an INI file to write: a name, a truth for the scene's, or empty
     ConsoleStyle console_style = ConsoleStyle::Whittle;
     bool quiet = false;  ///< errors only
+    ProgressLines progress = ProgressLines::None;
 
     // Whittle's own.
     enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;

@@ -16,6 +16,11 @@ struct SubCommand {
 inline constexpr std::array kSubCommands = {
     SubCommand{"compare", "A B [--out diff.png] [--flip] [--tolerance n] [--share x]",
                "how far two pictures are apart"},
+    SubCommand{"join", "OUT PART... | --check PART...", "one picture of the parts that --shard has rendered"},
+    SubCommand{"plan", "SCENE [--tasks=N] [--json] [--from=FOLDER] [options]",
+               "what a job costs on many machines; docs/farm.md"},
+    SubCommand{"farm", "SCENE --for=slurm|openjd|make|shell [--tasks=N] [-o FOLDER] [options]",
+               "a folder that hands the job in; docs/farm.md"},
     SubCommand{"fmt", "FILE... [--check | --stdout]", "lay scene text out; docs/editors.md"},
     SubCommand{"lint", "SCENE [--no=NAME] [--only=NAME] [--list]", "what is doubtful about a scene; docs/editors.md"},
     SubCommand{"lsp", "[--seconds=N] [--memory=MB] [options]", "a language server for editors; docs/editors.md"},

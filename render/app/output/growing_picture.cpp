@@ -9,6 +9,7 @@ GrowingPicture::GrowingPicture(const image::Files& files, std::string path, int 
                                const image::FileSettings& settings, double seconds)
     : files_(files), path_(std::move(path)), settings_(settings), seconds_(seconds), shown_{width, height, {}, 0}
 {
+    settings_.fingerprint.clear();  // not the whole of it
     shown_.hold(0, height);
     thread_ = std::thread([this] { run(); });
 }

@@ -33,7 +33,7 @@ private:
     void run();
     const image::Files& files_;
     const std::string path_;
-    const image::FileSettings settings_;
+    image::FileSettings settings_;
     const double seconds_;
     std::mutex mutex_, writing_;
     std::condition_variable stopping_;

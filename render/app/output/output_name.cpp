@@ -22,6 +22,20 @@ std::string without_extension(const std::string& base)
     return dot == std::string::npos ? base : base.substr(0, dot);
 }
 
+std::string with_zeros(int number, std::size_t digits)
+{
+    std::string text = std::to_string(number);
+    if (text.size() < digits) text.insert(0, digits - text.size(), '0');
+    return text;
+}
+
+/// Parts stand in their order where names are sorted.
+std::string part_ending(int part, int parts)
+{
+    const std::string all = std::to_string(parts);
+    return "." + with_zeros(part, all.size()) + "-of-" + all + ".whittle-part";
+}
+
 Name output_name(const Settings& settings, const std::string& extension)
 {
     const Name scene = split(settings.input_file == "-" ? "stdin" : settings.input_file);
@@ -48,12 +62,9 @@ std::string output_path(const Settings& settings, const FrameList& list, const F
     const std::string extension = image::extension(settings.file_type);
     const Name name = output_name(settings, extension);
     std::string number;
-    if (list.animation) {
-        number = std::to_string(frame.number);
-        const auto digits = static_cast<std::size_t>(list.digits);
-        if (number.size() < digits) number.insert(0, digits - number.size(), '0');
-    }
-    return name.folder + name.base + number + extension;
+    if (list.animation) number = with_zeros(frame.number, static_cast<std::size_t>(list.digits));
+    const std::string base = name.folder + name.base + number;
+    return settings.shards > 0 ? base + part_ending(settings.shard, settings.shards) : base + extension;
 }
 
 }  // namespace app

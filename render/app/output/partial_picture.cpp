@@ -40,6 +40,7 @@ PartialPicture::PartialPicture(const image::Files& files, const std::string& pat
     settings_.encoding.bits = std::min(settings_.encoding.bits, 8);
     settings_.encoding.dither = image::Dither::None;
     settings_.quick = true;
+    settings_.fingerprint.clear();
     small_.width = (width - 1) / step_ + 1;
     small_.height = (height - 1) / step_ + 1;
     if (in_strips_) small_.hold(0, small_.height);

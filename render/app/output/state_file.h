@@ -1,12 +1,9 @@
 #pragma once
 
-#include "render/image/pixels/image.h"
-#include "render/picture/blocks.h"
+#include "render/app/parts/block_file.h"
 
 #include <atomic>
 #include <chrono>
-#include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -16,13 +13,12 @@
 namespace app {
 
 /// The finished blocks of a picture, kept beside it while it is rendered, so that +C can go on after an end at any
-/// moment. A header, then one record a block; a record that was cut short or damaged is dropped, with all behind it.
+/// moment. A record that was cut short or damaged is dropped, with all behind it.
 class StateFile {
 public:
-    /// \param identity gives a number of everything that the picture depends on: a file of another one is of no use.
-    ///        Called when it is needed: it reads the scene's files
+    /// \param of  a file of anything else is of no use
     /// \param after seconds of rendering before blocks are kept: short renders need no file
-    StateFile(std::string path, std::function<std::uint64_t()> identity, const trace::Blocks& blocks, double after);
+    StateFile(std::string path, BlocksOf of, double after);
     StateFile(const StateFile&) = delete;
     StateFile& operator=(const StateFile&) = delete;
 
@@ -30,9 +26,9 @@ public:
     using Show = std::function<void(const trace::Block& block, const float* samples)>;
     /// Finds the blocks of an earlier run and shows each. Cancelled: `cancel` was set meanwhile, and the file is as it
     /// was.
-    Found resume(int width, int height, const std::atomic<bool>& cancel, const Show& show);
-    /// Puts the blocks [first, last) of those into `picture`, which holds their rows. Throws std::runtime_error if the
-    /// file has changed.
+    Found resume(const std::atomic<bool>& cancel, const Show& show);
+    /// Puts the blocks [first, last) of those into `picture`, which holds their rows. A block that is not in the file
+    /// any more is not done.
     void load(std::size_t first, std::size_t last, image::Image& picture);
     /// By number: in the picture already.
     const std::vector<bool>& done() const { return done_; }
@@ -50,14 +46,11 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-    bool read_records(std::FILE* file, const std::atomic<bool>& cancel, const Show& show);
+    bool read_records(BlockReader& file, const std::atomic<bool>& cancel, const Show& show);
     void write_waiting(const image::Image& picture);
-    bool open_for_writing(const image::Image& picture);
 
     const std::string path_;
-    const std::function<std::uint64_t()> identity_;
-    const trace::Blocks blocks_;
+    const BlocksOf of_;
     const Clock::time_point due_;
     std::vector<bool> done_;
     std::vector<long> places_;  ///< by number: where an earlier run's samples stand in the file
@@ -66,12 +59,8 @@ private:
     std::mutex writing_;
     std::vector<std::size_t> waiting_;
     std::size_t waiting_samples_ = 0;
-    File file_{nullptr, std::fclose};
+    std::unique_ptr<BlockWriter> file_;
     bool broken_ = false;  ///< cannot be written: the render goes on without
 };
-
-/// FNV-1a with 64 bits over words of 8 bytes, the last one filled up with zeros: for identities and checks.
-/// \param so_far  the hash of what comes before
-std::uint64_t hash_of(const void* bytes, std::size_t count, std::uint64_t so_far = 0xcbf29ce484222325ULL);
 
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include "render/app/options/settings.h"
 #include "render/image/picture_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -32,7 +33,7 @@ void put_bytes(const std::string& path, const std::string& bytes)
     image::Replacement file(path);
     std::ofstream out(file.temporary(), std::ios::binary);
     out << bytes;
-    if (!out.flush()) throw image::FileError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+    if (!out.flush()) image::fail_by_system(errno, fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
     out.close();
     file.put_in_place();
 }

@@ -1,9 +1,11 @@
 #include "render/app/picture/frame_render.h"
 
 #include "parser/parse.h"
+#include "render/app/output/fingerprint.h"
 #include "render/app/output/output_name.h"
-#include "render/app/output/picture_identity.h"
+#include "render/app/parts/block_file.h"
 #include "render/app/layers/cost_report.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/picture/picture_run.h"
@@ -12,6 +14,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/base/text.h"
+#include "render/image/fingerprint_reader.h"
 #include "render/plan/compiled_scene.h"
 #include "render/plan/geometry/function_check.h"
 
@@ -59,7 +62,8 @@ bool print_stage(Run& run, const parser::Result& parsed)
     return settings.dump == Dump::Plan || settings.parse_only;
 }
 
-bool already_rendered(const Settings& settings, const std::string& path)
+/// Whether +C finds a picture there, be it of this scene or of another.
+bool picture_there(const Settings& settings, const std::string& path)
 {
     std::error_code error;
     const auto state = std::filesystem::path(path).replace_extension(".whittle-state");
@@ -121,7 +125,7 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
 {
     const Settings& settings = run.settings;
     parser::Options options = parser_options(settings, run.list, frame);
-    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
     options.queries = &queries;
     options.cancel = &run.cancel.requested;
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
@@ -132,6 +136,16 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
     } catch (const parser::Cancelled&) {
         throw AbortedRun();
     }
+}
+
+/// How the picture is written, and what it is made from.
+image::FileSettings fingerprinted(Run& run, const parser::Options& reading, const parser::Result& parsed)
+{
+    image::FileSettings file = file_settings(run.settings, parsed.scene);
+    const plan::Options planned = plan_options(run.settings);
+    file.fingerprint = fingerprint_text(fingerprint_of({run.settings, reading, planned, file, parsed, run.input}));
+    run.reporter.made_from(file.fingerprint);
+    return file;
 }
 
 void refuse_warnings(const parser::Result& parsed)
@@ -152,12 +166,16 @@ int render_frame(Run& run, const Frame& frame)
     check_folder(settings, path);
     if (!settings.parse_only && settings.dump == Settings::Dump::None) check_fits(settings, path);
     if (!path.empty()) run.streams.open_files(settings, std::filesystem::path(path).parent_path().string());
-    if (already_rendered(settings, path)) {
+    const bool there = picture_there(settings, path);
+    const std::optional<std::string> made_from = !there                ? std::nullopt
+                                                 : settings.shards > 0 ? whole_part(path)
+                                                                       : image::fingerprint_in(path);
+    if (there && !made_from && settings.shards == 0) {  // nothing tells what it is of
         run.reporter.skipped(path);
         return kSuccess;
     }
     StageTimes times;
-    SceneQueries queries(settings.threads, run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
     parser::Result parsed = parse_scene(run, at_moment(run, frame, 0), path, options, queries);
@@ -171,15 +189,21 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
 
+    const image::FileSettings file = fingerprinted(run, options, parsed);
+    if (made_from == file.fingerprint) {
+        run.reporter.skipped(path);
+        return kSuccess;
+    }
+    if (made_from)
+        run.reporter.note(fmt::format("{} is of an older scene, of other options or of another version: it is rendered "
+                                      "anew",
+                                      path));
     const LayersTask layers = layers_task(run, parsed.scene, path);
     for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
     times.finish("plan");
     const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
-    return render_picture({run, last_resort, compiled, file_settings(settings, parsed.scene), path,
-                           [&] { return picture_identity(options, compiled.options, parsed); }, moment,
-                           moments(settings), layers},
-                          times);
+    return render_picture({run, last_resort, compiled, file, path, moment, moments(settings), layers}, times);
 }
 
 }  // namespace app

@@ -6,7 +6,6 @@
 #include "render/app/report/report.h"
 #include "render/plan/compiled_scene.h"
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,8 +19,7 @@ struct PictureTask {
     LastResort& last_resort;
     const plan::CompiledScene& compiled;
     const image::FileSettings file;
-    const std::string path;                         ///< of the picture; empty: standard output or standard error
-    const std::function<std::uint64_t()> identity;  ///< see StateFile
+    const std::string path;  ///< of the picture; empty: standard output or standard error
     /// The scene at moment k of so many that the picture is the mean of; moment 0 is `compiled`.
     const std::function<std::unique_ptr<plan::CompiledScene>(int k)> moment = {};
     const int moments = 1;

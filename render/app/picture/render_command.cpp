@@ -1,13 +1,17 @@
 #include "render/app/picture/render_command.h"
 
 #include "render/app/options/effective_ini.h"
+#include "render/app/output/output_name.h"
 #include "render/app/picture/frame_render.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/memory.h"
 #include "render/app/report/journal.h"
+#include "render/app/report/progress_lines.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/run/written_journal.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <fmt/format.h>
 
@@ -45,11 +49,11 @@ std::vector<scene::Message> messages_of(const std::exception& error)
     return {{scene::Severity::Error, text_of(error), {}, {}, {}, {}}};
 }
 
-int fail(const std::vector<scene::Message>& errors, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)
+int fail(const std::exception& error, ConsoleReporter& reporter, ShellCommands& commands, const Frame* at)
 {
-    reporter.failed(errors);
+    reporter.failed(messages_of(error));
     commands.fatal_error(at);
-    return kError;
+    return status_of(error);
 }
 
 int render_all(Run& run)
@@ -64,11 +68,11 @@ int render_all(Run& run)
     } catch (const AbortedRun&) {
         run.reporter.cancelled({});
     } catch (const std::exception& error) {
-        return fail(messages_of(error), run.reporter, commands, at);
+        return fail(error, run.reporter, commands, at);
     }
     if (commands.abort_is_error(at))
-        return fail(messages_of(std::runtime_error("ended by the user, and User_Abort_Return makes that an error")),
-                    run.reporter, commands, at);
+        return fail(std::runtime_error("ended by the user, and User_Abort_Return makes that an error"), run.reporter,
+                    commands, at);
     return kCancelled;
 }
 
@@ -84,13 +88,23 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
         Run run{settings, frames_of(settings), {}, streams, reporter, cancel, remains, {}};
         if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
-        if (traces) trace::prepare(isa_of(settings), settings.threads);
-        if (traces && settings.output_to_file) run.files.prepare(settings.file_type);
+        if (traces) trace::prepare(isa_of(settings), threads_for(settings.threads));
+        if (traces && settings.output_to_file && settings.shards == 0) run.files.prepare(settings.file_type);
         return render_all(run);
     } catch (const std::exception& error) {
         reporter.failed(messages_of(error));
-        return kError;
+        return status_of(error);
     }
+}
+
+/// What cannot be rendered in parts.
+void refuse_part(const Settings& settings)
+{
+    if (!settings.output_to_file || to_standard_output(settings) || to_standard_error(settings))
+        throw OptionError("--shard writes a part's file: it goes with a picture that has a name");
+    if (plan_options(settings).grain_stream)
+        throw OptionError("--faithful with one thread draws its random numbers from block to block, as POV-Ray does: a "
+                          "part would have others");
 }
 
 }  // namespace
@@ -109,14 +123,20 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
         throw OptionError("--denoise is for pictures of the path tracer: it goes with --integrator=path");
     if (settings.greyscale && !image::stores_greyscale(settings.file_type))
         throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    if (settings.shards > 0) refuse_part(settings);
     window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);
-    if (settings.json_file.empty()) return run_scene(settings, streams, *speaker, cancel, remains);
-    Journal journal(streams, *speaker, settings);
+    std::unique_ptr<ConsoleReporter> teller;
+    if (settings.progress != ProgressLines::None)
+        teller = std::make_unique<ProgressTeller>(streams, *speaker, settings);
+    ConsoleReporter& told = teller ? *teller : *speaker;
+    if (settings.json_file.empty()) return run_scene(settings, streams, told, cancel, remains);
+    Journal journal(streams, told, settings);
     const int status = run_scene(settings, streams, journal, cancel, remains);
-    const bool kept = write_journal(settings.json_file, journal.text(status));
-    return kept || status != kSuccess ? status : kError;
+    const int unwritten = write_journal(settings.json_file, journal.text(status));
+    if (unwritten == 0 || status != kSuccess) return status;
+    return image::failure_may_pass(unwritten) ? kTryAgain : kError;
 }
 
 }  // namespace app

@@ -41,6 +41,7 @@ public:
     /// From the fifth second of reading on, some times a second.
     virtual void still_reading(const parser::ReadingPlace& where, double seconds) = 0;
     virtual void parsed(const parser::Result& result, const StageTimes& times) = 0;
+    virtual void made_from(const std::string&) {}  ///< the picture's fingerprint
     virtual void rendering() = 0;
     virtual void pass(const std::string& name) = 0;  ///< one of several passes of a picture begins, at 0
     virtual void progress(double share) = 0;         ///< of the pass, in [0, 1]; from any thread

@@ -35,6 +35,24 @@ void Journal::parsed(const parser::Result& result, const StageTimes& times)
     speaker_.parsed(result, times);
 }
 
+void Journal::pass(const std::string& name)
+{
+    const double now = std::chrono::duration<double>(Clock::now() - start_).count(), processor = processor_seconds();
+    std::vector<Pass>& passes = frames_.back().passes;
+    if (!passes.empty()) {
+        passes.back().seconds = now - passes.back().seconds;
+        passes.back().processor_seconds = processor - passes.back().processor_seconds;
+    }
+    passes.push_back({name, now, processor});
+    speaker_.pass(name);
+}
+
+void Journal::made_from(const std::string& fingerprint)
+{
+    frames_.back().fingerprint = fingerprint;
+    speaker_.made_from(fingerprint);
+}
+
 void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& statistics)
 {
     FrameRecord& frame = frames_.back();
@@ -51,7 +69,8 @@ void Journal::written(const std::string& path)
 
 void Journal::skipped(const std::string& path)
 {
-    FrameRecord& frame = frames_.emplace_back();
+    const bool read = !frames_.empty() && frames_.back().picture == path;  // to compare its fingerprint
+    FrameRecord& frame = read ? frames_.back() : frames_.emplace_back();
     frame.skipped = true;
     frame.picture = path;
     speaker_.skipped(path);
@@ -118,6 +137,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     if (frame.skipped) {
         json.key("skipped").truth(true);
         json.key("picture").text(frame.picture);
+        if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
         return json.end();
     }
     json.key("number").integer(frame.number);
@@ -126,6 +146,7 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("picture");
     if (frame.written) json.text(frame.picture);
     else json.null();
+    if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
     if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
     if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();
@@ -134,6 +155,17 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
         json.key(fmt::format("{}_cpu_seconds", phase.name)).number(phase.processor_seconds);
     }
     json.end();
+    if (frame.statistics && frame.passes.size() > 1) {
+        json.key("passes").begin_array();
+        for (auto pass = frame.passes.begin(); pass + 1 != frame.passes.end(); ++pass) {
+            json.begin_object();
+            json.key("name").text(pass->name);
+            json.key("seconds").number(pass->seconds);
+            json.key("cpu_seconds").number(pass->processor_seconds);
+            json.end();
+        }
+        json.end();
+    }
     json.key("counts").begin_object();
     const auto count = [&](const char* name, std::uint64_t value) {
         json.key(name).integer(static_cast<std::int64_t>(value));
@@ -187,6 +219,7 @@ std::string Journal::text(int status) const
     json.key("exit_status").integer(status);
     json.key("result").text(cancelled_ ? "cancelled" : status == 0 ? "done" : "failed");
     json.key("seconds").number(std::chrono::duration<double>(Clock::now() - start_).count());
+    json.key("processor_seconds").number(processor_seconds());
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     json.key("peak_memory_bytes").integer(static_cast<std::int64_t>(usage.ru_maxrss) * 1024);

@@ -19,12 +19,13 @@ public:
     void begin(const FrameFacts& facts) override;
     void message(const scene::Message& message) override;
     void parsed(const parser::Result& result, const StageTimes& times) override;
+    void made_from(const std::string& fingerprint) override;
     void still_reading(const parser::ReadingPlace& where, double seconds) override
     {
         speaker_.still_reading(where, seconds);
     }
     void rendering() override { speaker_.rendering(); }
-    void pass(const std::string& name) override { speaker_.pass(name); }
+    void pass(const std::string& name) override;
     void progress(double share) override { speaker_.progress(share); }
     void rendered(const StageTimes& times, const trace::RenderStatistics& statistics) override;
     void written(const std::string& path) override;
@@ -42,17 +43,23 @@ public:
     std::string text(int status) const;
 
 private:
+    /// Of a frame, before the picture: photons, radiosity. Its time is a part of that of tracing.
+    struct Pass {
+        std::string name;
+        double seconds, processor_seconds;  ///< till the next began; before that, when it began
+    };
     struct FrameRecord {
         int number = 0;
         double clock = 0.0;
         bool skipped = false, written = false;
-        std::string scene, picture;
+        std::string scene, picture, fingerprint;
         Kept kept;
         parser::Statistics parser;
         std::vector<std::string> files;
         std::size_t objects = 0;
         std::vector<scene::Message> messages;
         std::vector<StageTimes::Stage> phases;
+        std::vector<Pass> passes;
         std::optional<trace::RenderStatistics> statistics;
     };
     void put_frame(class JsonWriter& json, const FrameRecord& frame) const;

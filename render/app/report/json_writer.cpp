@@ -28,7 +28,9 @@ std::size_t character_length(std::string_view text, std::size_t at)
     return length;
 }
 
-std::string quoted(std::string_view text)
+}  // namespace
+
+std::string json_quoted(std::string_view text)
 {
     std::string out = "\"";
     for (std::size_t i = 0; i < text.size();) {
@@ -44,8 +46,6 @@ std::string quoted(std::string_view text)
     }
     return out + "\"";
 }
-
-}  // namespace
 
 void JsonWriter::new_line() { (out_ += '\n').append(2 * closing_.size(), ' '); }
 
@@ -77,13 +77,13 @@ void JsonWriter::close()
 
 JsonWriter& JsonWriter::key(std::string_view name)
 {
-    item(quoted(name));
+    item(json_quoted(name));
     out_ += ": ";
     after_key_ = true;
     return *this;
 }
 
-void JsonWriter::text(std::string_view value) { item(quoted(value)); }
+void JsonWriter::text(std::string_view value) { item(json_quoted(value)); }
 
 void JsonWriter::number(double value)
 {

@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// A string as JSON has it, in quotes. Bytes that are no UTF-8 become U+FFFD.
+std::string json_quoted(std::string_view text);
+
 /// Writes JSON, indented by two blanks a level. Text is UTF-8; bytes that are not become U+FFFD.
 class JsonWriter {
 public:

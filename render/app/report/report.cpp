@@ -9,17 +9,14 @@
 
 namespace app {
 
-namespace {
+namespace {}  // namespace
 
-/// Of the process, all of its threads: POSIX's clock, finer than std::clock().
 double processor_seconds()
 {
-    timespec now{};
+    timespec now{};  // POSIX's clock, finer than std::clock()
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-
-}  // namespace
 
 StageTimes::StageTimes() : last_processor_(processor_seconds()) {}
 

@@ -9,6 +9,9 @@
 
 namespace app {
 
+/// Of the process so far, all of its threads.
+double processor_seconds();
+
 /// Time per stage, in the order in which they ran.
 class StageTimes {
 public:

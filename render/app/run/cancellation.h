@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/app/run/exit_status.h"
+
 #include <semaphore.h>
 
 #include <atomic>
@@ -7,8 +9,6 @@
 #include <vector>
 
 namespace app {
-
-inline constexpr int kSuccess = 0, kError = 1, kCancelled = 2;  // POV-Ray's exit codes
 
 /// Between a signal handler and the run.
 struct Cancellation {

@@ -1,5 +1,7 @@
 #include "render/app/run/memory.h"
 
+#include "render/app/run/allocation.h"
+#include "render/app/run/exit_status.h"
 #include "render/app/run/stage_options.h"
 
 #include <sys/resource.h>
@@ -32,20 +34,6 @@ double kilobytes_of(const char* file, const std::string& wanted)
     return std::numeric_limits<double>::infinity();
 }
 
-/// The number that a file of the control group holds; infinite for `max` and for none.
-double number_in(const char* file)
-{
-    std::ifstream in(file);
-    double number = 0.0;
-    return in >> number ? number : std::numeric_limits<double>::infinity();
-}
-
-double left_to_group()
-{
-    const double most = number_in("/sys/fs/cgroup/memory.max"), used = number_in("/sys/fs/cgroup/memory.current");
-    return std::isinf(most) || std::isinf(used) ? most : std::max(0.0, most - used);
-}
-
 double process_limit()
 {
     rlimit limit{};
@@ -54,14 +42,20 @@ double process_limit()
     return static_cast<double>(limit.rlim_cur);
 }
 
-/// Space that a user who is not root may fill below the file's folder; infinite where it cannot be found out.
-double room_beside(const std::string& path)
+/// Of the file system of the file's folder; infinite where it cannot be found out.
+struct Room {
+    double left = std::numeric_limits<double>::infinity();  ///< that a user who is not root may fill
+    double all = left;
+};
+
+Room room_beside(const std::string& path)
 {
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     if (folder.empty()) folder = ".";
     std::error_code error;
     const auto space = std::filesystem::space(folder, error);
-    return error ? std::numeric_limits<double>::infinity() : static_cast<double>(space.available);
+    if (error) return {};
+    return {static_cast<double>(space.available), static_cast<double>(space.capacity)};
 }
 
 std::string readable(double bytes)
@@ -85,7 +79,7 @@ image::Encoding asked_encoding(const Settings& settings)
 double picture_memory(const Settings& settings)
 {
     if (settings.memory > 0.0) return settings.memory;
-    return std::min({kilobytes_of("/proc/meminfo", "MemAvailable:"), left_to_group(), process_limit()}) / 2.0;
+    return std::min({kilobytes_of("/proc/meminfo", "MemAvailable:"), allocation().memory, process_limit()}) / 2.0;
 }
 
 std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int width, int height, image::FileType type)
@@ -115,25 +109,29 @@ void check_fits(const Settings& settings, const std::string& path)
             throw OptionError(fmt::format(
                 "{} takes {} of memory, and {} may be used: a BMP cannot grow row by row, use +FN, +FP or +FE", size,
                 readable(kTracedPixelBytes * settings.width * settings.height), readable(memory)));
-        throw OptionError(fmt::format("a row of blocks of {} takes {} of memory, and {} may be used: smaller blocks "
-                                      "(+BS) or a smaller picture fit",
-                                      size, readable(kTracedPixelBytes * settings.width * blocks.side()),
-                                      readable(memory)));
+        const std::string text = fmt::format("a row of blocks of {} takes {} of memory, and {} may be used: smaller "
+                                             "blocks (+BS) or a smaller picture fit",
+                                             size, readable(kTracedPixelBytes * settings.width * blocks.side()),
+                                             readable(memory));
+        if (settings.memory > 0.0) throw OptionError(text);
+        throw TryAgain(text);
     }
     if (!written || path.empty()) return;
     const double needed =
-                     image::least_bytes(settings.file_type, settings.width, settings.height, asked_encoding(settings)),
-                 room = room_beside(path);
-    if (needed > room)
-        throw OptionError(fmt::format("{} takes at least {} on disk, and there is room for {} beside '{}'", size,
-                                      readable(needed), readable(room), path));
+        image::least_bytes(settings.file_type, settings.width, settings.height, asked_encoding(settings));
+    const Room room = room_beside(path);
+    if (needed <= room.left) return;
+    const std::string text = fmt::format("{} takes at least {} on disk, and there is room for {} beside '{}'", size,
+                                         readable(needed), readable(room.left), path);
+    if (needed > room.all) throw OptionError(text);  // nor would there be on an empty disk
+    throw TryAgain(text);
 }
 
 bool has_room_for_state(const Settings& settings, const std::string& path)
 {
     const double pixels = static_cast<double>(settings.width) * settings.height;
     // Not every picture packs well: its plain bytes.
-    return kTracedPixelBytes * pixels + 8.0 * pixels <= room_beside(path);
+    return kTracedPixelBytes * pixels + 8.0 * pixels <= room_beside(path).left;
 }
 
 }  // namespace app

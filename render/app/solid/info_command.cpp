@@ -3,7 +3,9 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
+#include "render/app/report/json_writer.h"
 #include "render/app/solid/bodies.h"
 #include "render/app/solid/part_file.h"
 #include "render/app/solid/section_run.h"
@@ -126,7 +128,7 @@ void put_json(const std::string& name, const solid::Measures& m)
         "{{\"object\":{},\"lower\":{},\"upper\":{},\"extent_error\":{:.3g},\"volume\":{:.12g},\"volume_error\":{:.3g},"
         "\"surface\":{:.12g},\"surface_error\":{:.3g},\"centre\":{},\"centre_error\":{},\"inertia\":[{},{},{}],"
         "\"inertia_error\":{:.3g},\"rays\":{}}}\n",
-        json_text(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
+        json_quoted(name), json_vector(m.extent.lower), json_vector(m.extent.upper), m.extent_error, m.volume.value,
         m.volume.error, m.surface.value, m.surface.error, json_vector(m.centre), json_vector(m.centre_error),
         json_vector(m.inertia[0]), json_vector(m.inertia[1]), json_vector(m.inertia[2]), m.inertia_error, m.rays);
 }
@@ -161,7 +163,7 @@ int info_command(const std::vector<std::string>& arguments, Cancellation& cancel
 {
     const InfoRequest request = info_request(arguments);
     cancel.heeded = true;
-    const int threads = request.bodies.settings.threads;
+    const int threads = threads_for(request.bodies.settings.threads);
     std::optional<tbb::global_control> limit;
     if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     try {

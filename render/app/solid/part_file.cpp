@@ -47,13 +47,4 @@ void tell_too_far(const std::string& part, const char* what, double worst, doubl
                             : "");
 }
 
-std::string json_text(const std::string& text)
-{
-    JsonWriter json;
-    json.text(text);
-    std::string out = json.take();
-    out.pop_back();  // the end of the line
-    return out;
-}
-
 }  // namespace app

@@ -39,7 +39,4 @@ void make_finer(solid::RefineOptions& options, int most_cells, Facts& facts, con
 void tell_too_far(const std::string& part, const char* what, double worst, double tolerance,
                   const solid::RefineFacts& facts);
 
-/// A JSON string with its quotes.
-std::string json_text(const std::string& text);
-
 }  // namespace app

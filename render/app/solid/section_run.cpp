@@ -1,6 +1,7 @@
 #include "render/app/solid/section_run.h"
 
 #include "render/app/output/whole_text.h"
+#include "render/app/report/json_writer.h"
 #include "render/app/solid/part_file.h"
 #include "render/solid/section/contour.h"
 #include "render/solid/section/section_check.h"
@@ -112,7 +113,7 @@ private:
             fmt::print("{{\"object\":{},\"axis\":\"{}\",\"value\":{:.12g},\"area\":{:.12g},\"area_by_rays\":{:.12g},"
                        "\"area_error\":{:.3g},\"length\":{:.12g},\"loops\":{},\"points\":{},\"from_loops\":{:.3g},"
                        "\"from_body\":{:.3g}}}\n",
-                       json_text(part.name), kAxes[request_.plane.axis], request_.plane.value, area, off.area.value,
+                       json_quoted(part.name), kAxes[request_.plane.axis], request_.plane.value, area, off.area.value,
                        off.area.error, length, part.loops.size(), points, off.from_loops, off.from_body);
             return;
         }

@@ -1,5 +1,6 @@
 #include "render/app/study/povray_runs.h"
 
+#include "render/app/base/text.h"
 #include "render/app/output/scratch_folder.h"
 
 #include <fmt/format.h>
@@ -10,17 +11,6 @@
 
 namespace app {
 namespace {
-
-/// A word for the shell, whatever is in it.
-std::string shell_word(const std::string& word)
-{
-    std::string out = "'";
-    for (const char c : word) {
-        if (c == '\'') out += "'\\''";
-        else out += c;
-    }
-    return out + '\'';
-}
 
 /// What a command prints, both streams. False: it failed.
 bool output_of(const std::string& command, std::string& out)

@@ -7,6 +7,7 @@
 #include "render/app/output/whole_text.h"
 #include "render/app/report/json_writer.h"
 #include "render/app/report/progress.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/frames/frames.h"
 #include "render/app/run/scene_file.h"
@@ -160,7 +161,7 @@ private:
         const SceneReading reading(settings, cancel_.requested);
         const parser::Result parsed = parser::parse_file(file, reading.options);
         trace::RenderOptions render;
-        render.threads = settings.threads;
+        render.threads = threads_for(settings.threads);
         render.isa = isa_of(settings);
         render.cancel = &cancel_.requested;
         study::Study study(parsed.scene, plan_options(settings), render,
@@ -309,7 +310,7 @@ int report_command(const std::vector<std::string>& arguments, Cancellation& canc
 {
     const Request request = request_of(arguments);
     check_place(request.out);
-    trace::prepare(isa_of(request.settings), request.settings.threads);
+    trace::prepare(isa_of(request.settings), threads_for(request.settings.threads));
     cancel.heeded = true;
     return Reporter(request, cancel).run();
 }

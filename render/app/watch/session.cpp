@@ -3,6 +3,7 @@
 #include "csg/tree/program.h"
 #include "parser/constants.h"
 #include "render/app/pixel/pixel_answer.h"
+#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
@@ -255,7 +256,7 @@ void Session::render(const View& view)
     encoding.greyscale = false;
     encoding.dither = image::Dither::None;
     trace::RenderOptions options;
-    options.threads = settings.threads;
+    options.threads = threads_for(settings.threads);
     options.isa = isa_of(settings);
     options.cancel = &cancel_;
     if (!trace_passes(*compiled, options, encoding, generation_, events_, times)) return;

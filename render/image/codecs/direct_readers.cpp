@@ -1,5 +1,7 @@
 #include "render/image/codecs/direct_readers.h"
 
+#include "render/image/pixels/passing_failure.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -50,7 +52,8 @@ ByteList bytes_of_file(const std::string& path)
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw FileError("it is a folder");
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(std::strerror(errno));
+    if (!file && errno == ENOENT) throw PassingFailure(std::strerror(errno));  // it was there when it was looked for
+    if (!file) fail_by_system(errno);
     ByteList bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (bytes.empty()) throw FileError("it is empty");
     return bytes;

@@ -1,19 +1,26 @@
 #include "render/image/codecs/io_module.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace image {
 
 class OpenPicture {
 public:
     OpenPicture(std::unique_ptr<OIIO::ImageOutput> output, OIIO::TypeDesc type) : out(std::move(output)), rows(type) {}
+    OIIO::Filesystem::IOVecOutput kept;  ///< of JPEG, whose library ends the process where a disk is full
+    std::string path;                    ///< that it goes to; empty: `out` has the file
     const std::unique_ptr<OIIO::ImageOutput> out;
     const OIIO::TypeDesc rows;  ///< of what put() is given
 };
@@ -76,11 +83,15 @@ const char* open_picture(const image::WriteRequest& request, image::OpenPicture*
 {
     std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(request.format);
     if (!out) return failed(OIIO::geterror());
-    if (!out->open(request.path, spec_of(request))) return failed(out->geterror());
     const OIIO::TypeDesc rows = request.linear_light ? OIIO::TypeDesc::FLOAT
                                 : request.eight_bits ? OIIO::TypeDesc::UINT8
                                                      : OIIO::TypeDesc::UINT16;
-    picture = new image::OpenPicture(std::move(out), rows);
+    auto opening = std::make_unique<image::OpenPicture>(std::move(out), rows);
+    if (opening->out->supports("ioproxy") && std::string(request.format) == "jpeg" &&
+        opening->out->set_ioproxy(&opening->kept))
+        opening->path = request.path;
+    if (!opening->out->open(request.path, spec_of(request))) return failed(opening->out->geterror());
+    picture = opening.release();
     return nullptr;
 }
 
@@ -93,7 +104,13 @@ const char* put_rows(image::OpenPicture& picture, int first, int count, const vo
 const char* close_picture(image::OpenPicture* picture)
 {
     const std::unique_ptr<image::OpenPicture> ending(picture);
-    return picture->out->close() ? nullptr : failed(picture->out->geterror());
+    if (!picture->out->close()) return failed(picture->out->geterror());
+    if (picture->path.empty()) return nullptr;
+    const std::vector<unsigned char>& bytes = picture->kept.buffer();
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(picture->path.c_str(), "wb"), std::fclose);
+    const bool written = file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+                         std::fflush(file.get()) == 0;
+    return written ? nullptr : failed(std::strerror(errno));
 }
 
 /// A header may promise any size, and room is made before the first row is read.

@@ -1,6 +1,8 @@
 #include "render/image/codecs/io_writer.h"
 
-#include "render/image/pixels/picture.h"
+#include "render/image/pixels/passing_failure.h"
+
+#include <cerrno>
 
 namespace image {
 
@@ -32,7 +34,7 @@ IoWriter::~IoWriter()
 
 void IoWriter::check(const char* message) const
 {
-    if (message) throw FileError(message);
+    if (message) fail_by_system(errno, message);
 }
 
 template <class Sample>

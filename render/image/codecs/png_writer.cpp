@@ -1,6 +1,6 @@
 #include "render/image/codecs/png_writer.h"
 
-#include "render/image/pixels/picture.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <emmintrin.h>
 #include <zlib.h>
@@ -96,10 +96,10 @@ struct PngWriter::Encoder {
     Encoder(const std::string& path, const FileShape& shape, int effort)
         : file(std::fopen(path.c_str(), "wb"), std::fclose), bits(shape.bits)
     {
-        if (!file) throw FileError(std::strerror(errno));
+        if (!file) fail_by_system(errno);
         if (shape.width < 1 || shape.height < 1) throw FileError("PNG takes no picture without pixels");
         if (deflateInit2(&zip, effort, Z_DEFLATED, MAX_WBITS, 8, Z_FILTERED) != Z_OK)
-            throw FileError("not enough memory for PNG");
+            throw PassingFailure("not enough memory for PNG");
         step = static_cast<std::size_t>(shape.channels) * (bits <= 8 ? 1 : 2);
         size = static_cast<std::size_t>(shape.width) * step;
         row.resize(step + size + kBytes);
@@ -114,7 +114,7 @@ struct PngWriter::Encoder {
 
     void write(const void* data, std::size_t count)
     {
-        if (std::fwrite(data, 1, count, file.get()) != count) throw FileError(std::strerror(errno));
+        if (std::fwrite(data, 1, count, file.get()) != count) fail_by_system(errno);
     }
     void chunk(const char* name, const std::uint8_t* data, std::size_t count)
     {
@@ -130,6 +130,12 @@ struct PngWriter::Encoder {
     void chunk(const char* name, const std::array<std::uint8_t, N>& data)
     {
         chunk(name, data.data(), N);
+    }
+
+    void put_text(const char* key, const std::string& value)
+    {
+        const std::string text = key + std::string(1, '\0') + value;
+        chunk("tEXt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     }
 
     /// The entries before the samples.
@@ -152,8 +158,8 @@ struct PngWriter::Encoder {
         std::array<std::uint8_t, 4> significant{};
         significant.fill(static_cast<std::uint8_t>(bits));
         chunk("sBIT", significant.data(), static_cast<std::size_t>(shape.channels));
-        const std::string text = "Software" + std::string(1, '\0') + shape.software;
-        chunk("tEXt", reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+        put_text("Software", shape.software);
+        if (!shape.fingerprint.empty()) put_text(kFingerprintKey, shape.fingerprint);
     }
 
     void try_filter(std::uint8_t number, std::uint32_t& least, auto predict)
@@ -189,7 +195,7 @@ struct PngWriter::Encoder {
             end_chunk_data();
         }
         chunk("IEND", nullptr, 0);
-        if (std::fclose(file.release()) != 0) throw FileError(std::strerror(errno));  // a full disk may show only now
+        if (std::fclose(file.release()) != 0) fail_by_system(errno);  // a full disk may show only now
     }
 
     void begin_chunk_data()

@@ -1,6 +1,6 @@
 #include "render/image/codecs/ppm_writer.h"
 
-#include "render/image/pixels/picture.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <cerrno>
 #include <cstring>
@@ -14,7 +14,7 @@ PpmWriter::PpmWriter(const std::string& path, const FileShape& shape)
     out_ << (shape.channels == 1 ? "P5" : "P6") << "\n# Software: " << shape.software << '\n'
          << shape.width << ' ' << shape.height << '\n'
          << (1 << shape.bits) - 1 << '\n';
-    if (!out_) throw FileError(std::strerror(errno));
+    if (!out_) fail_by_system(errno);
 }
 
 void PpmWriter::put(const std::uint16_t* samples)
@@ -24,12 +24,12 @@ void PpmWriter::put(const std::uint16_t* samples)
         if (bits_ > 8) bytes_ += static_cast<char>(samples[i] >> 8);
         bytes_ += static_cast<char>(samples[i] & 0xff);
     }
-    if (!out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()))) throw FileError(std::strerror(errno));
+    if (!out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()))) fail_by_system(errno);
 }
 
 void PpmWriter::finish()
 {
-    if (!out_.flush()) throw FileError(std::strerror(errno));
+    if (!out_.flush()) fail_by_system(errno);
 }
 
 }  // namespace image

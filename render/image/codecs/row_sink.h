@@ -3,9 +3,13 @@
 #include "render/image/levels/transfer_curve.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace image {
+
+/// The name under which a picture keeps what it is made from: a text of PNG, an attribute of OpenEXR.
+inline constexpr const char* kFingerprintKey = "WhittleFingerprint";
 
 /// What a file of rows has to know before the first.
 struct FileShape {
@@ -13,6 +17,7 @@ struct FileShape {
     int bits = 8;         ///< of an integer: the largest is 2^bits - 1
     TransferCurve curve;  ///< that the values are stored with
     const char* software = "";
+    std::string fingerprint;  ///< see FileSettings
 };
 
 /// A picture file that grows row by row, from the top. One that was not finished is of no use.

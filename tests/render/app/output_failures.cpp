@@ -180,7 +180,7 @@ TEST_CASE("memory that is refused is told with what is needed and what is allowe
             {"-c", "ulimit -v " + kilobytes + " && exec " WHITTLE_PROGRAM " s.pov +W640 +H480"});
     };
     const support::Ended refused = limited("40000");
-    CHECK(refused.status == 1);
+    CHECK(refused.status == 75);
     CHECK_THAT(refused.err,
                Catch::Matches("whittle: error: memory is refused: [0-9.]+ (bytes|kB|MB) more are needed; [0-9.]+ MB "
                               "of the 41.0 MB that this process may have \\(ulimit -v\\) are in use\n"));

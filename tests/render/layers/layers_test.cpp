@@ -41,7 +41,9 @@ Made made(const std::string& text, const std::string& kinds, bool antialiased)
     Made out;
     out.names = layers::object_names(description, [&](const std::string&) { return kHead + text; });
     const auto compiled = plan::compile(description, options);
-    out.channels = layers::make_layers(compiled, layers::kinds_of(kinds), out.names, {}, antialiased).value();
+    out.channels =
+        layers::make_layers(compiled, layers::kinds_of(kinds), out.names, {}, antialiased, {0, compiled.options.height})
+            .value();
     return out;
 }
 
@@ -139,6 +141,6 @@ TEST_CASE("the same layers for any number of threads", "[layers]")
     one.threads = 1;
     three.threads = 3;
     const std::vector kinds{layers::Kind::Normal, layers::Kind::Albedo};
-    CHECK(layers::make_layers(compiled, kinds, {}, one, true)->values ==
-          layers::make_layers(compiled, kinds, {}, three, true)->values);
+    CHECK(layers::make_layers(compiled, kinds, {}, one, true, {0, compiled.options.height})->values ==
+          layers::make_layers(compiled, kinds, {}, three, true, {0, compiled.options.height})->values);
 }

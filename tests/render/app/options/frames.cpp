@@ -69,3 +69,20 @@ TEST_CASE("frames without end are refused", "[app][frames]")
     CHECK(numbers(list_of({"+KFF1000000000", "+STP2000000000"})) == std::vector<int>{1});
     CHECK(numbers(list_of({"+KFF1000000000", "+SF999999999", "+EF1e300"})) == std::vector<int>{999999999, 1000000000});
 }
+
+TEST_CASE("a list names frames of the animation", "[app][frames]")
+{
+    CHECK(numbers(list_of({"+KFF30", "--frames=2,4,10-20:5"})) == std::vector<int>{2, 4, 10, 15, 20});
+    CHECK(numbers(list_of({"+KFF30", "--frames=9,7-9,8"})) == std::vector<int>{7, 8, 9});
+    CHECK(numbers(list_of({"+KFF30", "+SF3", "+EF5", "--frames=29"})) == std::vector<int>{29});  // instead of a subset
+    CHECK(list_of({"+KFF10", "--frames=3"}).frames[0].clock == list_of({"+KFF10", "+SF3", "+EF3"}).frames[0].clock);
+    CHECK(list_of({"+KFF100", "--frames=3"}).digits == 3);
+    CHECK_THROWS_WITH(list_of({"--frames=3"}), Catch::StartsWith("--frames is for an animation"));
+    CHECK_THROWS_WITH(list_of({"+KFF10", "--frames=3-11"}),
+                      "--frames: 11 is not a frame of the animation, which has 1 to 10");
+    for (const char* wrong : {"--frames=", "--frames=3-", "--frames=-3", "--frames=3,", "--frames=5-3",
+                              "--frames=1-9:0", "--frames=2;4", "--frames=99999999999"}) {
+        INFO(wrong);
+        CHECK_THROWS(list_of({"+KFF10", wrong}));
+    }
+}

@@ -1,0 +1,79 @@
+#include "render/app/output/fingerprint.h"
+
+#include "render/app/parts/hash.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+
+namespace app {
+
+namespace {
+
+std::uint64_t add_text(const std::string& text, std::uint64_t so_far)
+{
+    const std::uint64_t size = text.size();  // else zeros at the end would not count
+    return hash_of(text.data(), text.size(), hash_of(&size, sizeof size, so_far));
+}
+
+std::uint64_t add_file(const std::string& path, std::uint64_t so_far)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::array<char, 1 << 16> some;  // whole words, but for the last
+    std::uint64_t size = 0;
+    while (in.read(some.data(), some.size()) || in.gcount() > 0) {
+        const auto count = static_cast<std::size_t>(in.gcount());
+        so_far = hash_of(some.data(), count, so_far);
+        size += count;
+    }
+    return hash_of(&size, sizeof size, so_far);
+}
+
+std::string curve_text(const image::TransferCurve& curve)
+{
+    return fmt::format("{} {}", static_cast<int>(curve.kind), curve.gamma);
+}
+
+std::string options_text(const PictureSource& source)
+{
+    const parser::Options& o = source.reading;
+    const plan::Options& p = source.planned;
+    const Settings& s = source.settings;
+    std::string text = "whittle " WHITTLE_VERSION "\n";
+    text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}\n", o.version_given, o.version, o.image_width,
+                        o.image_height, o.clock, o.clock_on, o.frame_number, o.initial_frame, o.final_frame,
+                        o.clock_delta, o.initial_clock, o.final_clock, !o.include_header.empty());
+    for (const auto& [name, value] : o.declared_numbers) text += fmt::format("{}={}\n", name, value);
+    for (const auto& [name, value] : o.declared_strings) text += fmt::format("{}=\"{}\"\n", name, value);
+    const plan::Antialiasing& aa = p.antialiasing;
+    text += fmt::format("{} {} {} {} {} {} {} {} {}\n", p.quality.code(), p.alpha, p.start_row, p.start_column,
+                        p.end_row, p.end_column, p.split_unions, p.faithful, p.grain_stream);
+    if (aa.method != 0)  // which looks no farther than its block
+        text +=
+            fmt::format("{} {} {} {} {} {}\n", aa.method, aa.depth, aa.threshold, aa.jitter, aa.gamma, p.block_size);
+    if (s.sampled())
+        text += fmt::format("{} {} {} {} {} {} {} {} {} {}\n", s.samples, s.samples_error, s.error, s.time, s.seed,
+                            s.paths, s.denoise, s.shutter, s.motion_samples, p.block_size);
+    const image::Encoding& e = source.file.encoding;
+    const bool lossy = source.file.type == image::FileType::Jpeg;
+    return text + fmt::format("{} {} {} {} {} {} {} {}\n", static_cast<char>(source.file.type), e.bits, e.alpha,
+                              e.greyscale, static_cast<int>(e.dither), curve_text(e.curves.working),
+                              curve_text(e.curves.file), lossy ? source.file.jpeg_quality : 0);
+}
+
+}  // namespace
+
+std::uint64_t fingerprint_of(const PictureSource& source)
+{
+    std::uint64_t hash = add_text(options_text(source), hash_of(nullptr, 0));
+    if (source.typed) hash = add_text(*source.typed, hash);
+    for (const std::vector<std::string>* files : {&source.parsed.scene.files, &source.parsed.data_files})
+        for (const std::string& file : *files) hash = add_file(file, hash);
+    if (source.settings.radiosity_from_file) hash = add_file(source.settings.radiosity_file, hash);
+    return hash;
+}
+
+std::string fingerprint_text(std::uint64_t fingerprint) { return fmt::format("{:016x}", fingerprint); }
+
+}  // namespace app

@@ -1,0 +1,90 @@
+#include "render/picture/cut.h"
+
+#include "render/picture/kernel_module.h"
+#include "render/picture/workers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace trace {
+namespace {
+
+/// Places of the grid: all parts ask for them anew, so many parts allow no more.
+constexpr int kMostPlaces = 256;
+
+/// What one ray costs at the places of a grid over the window, in rays.
+struct CoarseCost {
+    Block window;
+    int columns, rows;
+    std::vector<double> of;
+
+    explicit CoarseCost(const Block& picture) : window(picture)
+    {
+        const double aspect = static_cast<double>(window.width) / window.height;
+        columns = std::clamp(static_cast<int>(std::sqrt(kMostPlaces * aspect)), 1, std::min(kMostPlaces, window.width));
+        rows = std::clamp(kMostPlaces / columns, 1, window.height);
+        of.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1.0);
+    }
+    SamplePosition place(std::size_t cell) const
+    {
+        const int column = static_cast<int>(cell) % columns, row = static_cast<int>(cell) / columns;
+        return {window.left + std::floor((column + 0.5) * window.width / columns),
+                window.top + std::floor((row + 0.5) * window.height / rows)};
+    }
+    /// Half of the place itself and half of those around it: a block is wider than a ray.
+    double around(double x, double y) const
+    {
+        const int column = std::clamp(static_cast<int>((x - window.left) * columns / window.width), 0, columns - 1),
+                  row = std::clamp(static_cast<int>((y - window.top) * rows / window.height), 0, rows - 1);
+        double sum = 0.0;
+        int count = 0;
+        for (int v = std::max(0, row - 1); v <= std::min(rows - 1, row + 1); ++v)
+            for (int u = std::max(0, column - 1); u <= std::min(columns - 1, column + 1); ++u, ++count)
+                sum += of[static_cast<std::size_t>(v * columns + u)];
+        return 0.5 * (sum / count + of[static_cast<std::size_t>(row * columns + column)]);
+    }
+};
+
+double rays_of(const RayCounts& counts)
+{
+    return static_cast<double>(counts.camera + counts.shadow + counts.reflected + counts.refracted);
+}
+
+}  // namespace
+
+std::vector<std::size_t> cut_by_cost(const plan::CompiledScene& scene, const RenderOptions& options, int parts)
+{
+    const Blocks blocks(scene.options);
+    CoarseCost cost(blocks.window());
+    if (!scene.options.paths) {  // whose paths cost about the same everywhere
+        const KernelTable& kernel = load_kernel(options.isa);
+        function::use(kernel.evaluators);
+        Workers<BlockTracer> workers(
+            options, [&] { return kernel.make(scene, options.indirect, options.cancel); }, kernel.free);
+        if (!workers.each(0, cost.of.size(), [&](std::size_t i, auto& worker) {
+                const double before = rays_of(kernel.counts(*worker.tracer));
+                const SamplePosition place = cost.place(i);
+                scene::Color color;
+                if (!kernel.sample(*worker.tracer, {&place, 1}, &color)) return false;
+                cost.of[i] += rays_of(kernel.counts(*worker.tracer)) - before;
+                return true;
+            }))
+            return {};
+    }
+    std::vector<double> sums{0.0};
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Block block = blocks[i];
+        sums.push_back(sums.back() + cost.around(block.left + 0.5 * block.width, block.top + 0.5 * block.height) *
+                                         block.width * block.height);
+    }
+    std::vector<std::size_t> cut{0};
+    for (int part = 1; part < parts; ++part) {
+        const auto at = std::lower_bound(sums.begin(), sums.end(), sums.back() * part / parts);
+        cut.push_back(static_cast<std::size_t>(at - sums.begin()));
+    }
+    cut.push_back(blocks.size());
+    return cut;
+}
+
+}  // namespace trace

@@ -1,0 +1,282 @@
+#!/usr/bin/python3
+"""A still in parts: joined, they have the bytes of one run; what is missing or of another picture is told.
+
+usage: parts.py WHITTLE [NAME...]
+
+NAMEs are those of CASES, with what a part depends on, and of FAULTS; without any all are tried. The exit status is 1 where one fails.
+"""
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+
+HEAD = """#version 3.7;
+global_settings { assumed_gamma 1 %s }
+camera { location <0, 1, -4> look_at 0 %s }
+light_source { <-5, 5, -5>, 1 %s }
+plane { y, -1 pigment { checker rgb 0.2 rgb 0.9 } finish { reflection 0.2 } }
+sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } %s }
+%s
+"""
+GLASS = "photons { target refraction on reflection on } pigment { rgbt 0.9 } interior { ior 1.4 } hollow"
+PLAIN = HEAD % ("", "", "", "finish { reflection 0.4 }", "")
+AREA = HEAD % ("", "", "area_light x, y, 4, 4 jitter adaptive 1", "", "")
+BLUR = HEAD % ("", "aperture 0.4 focal_point 0 blur_samples 12 variance 1/64", "", "", "")
+RADIOSITY = HEAD % ("radiosity { pretrace_start 0.08 pretrace_end 0.02 count 20 recursion_limit 2 }", "", "", "", "")
+PHOTONS = HEAD % ("photons { count 3000 media 10 }", "", "", GLASS,
+                  "media { scattering { 1, 0.02 extinction 0.5 } samples 5 }")
+MEDIA = HEAD % ("", "", "", "hollow pigment { rgbt 1 } interior { media { emission 0.6 absorption 0.2 density { bozo scale 0.3 } } }", "")
+
+# Of each: scene, number of parts, options, and the picture's ending.
+CASES = {
+    "plain": (PLAIN, 7, [], ".png"),
+    "more_parts_than_blocks": (PLAIN, 101, ["+BS16"], ".png"),
+    "antialiasing_1": (AREA, 5, ["+A0.1", "+AM1"], ".png"),
+    "antialiasing_2": (AREA, 3, ["+A0.05", "+AM2", "+R3"], ".png"),
+    "focal_blur": (BLUR, 5, ["+A0.3"], ".png"),
+    "radiosity": (RADIOSITY, 3, ["+A0.3"], ".png"),
+    "photons": (PHOTONS, 3, [], ".png"),
+    "media": (MEDIA, 5, ["+A0.3"], ".png"),
+    "samples": (BLUR, 5, ["--samples=9"], ".png"),
+    "seed": (AREA, 3, ["--samples=4", "--seed=11"], ".png"),
+    "error": (AREA, 3, ["--error=4"], ".png"),
+    "percent": (AREA, 3, ["--samples=3%"], ".png"),
+    "paths": (AREA, 3, ["--integrator=path", "--samples=3"], ".png"),
+    "denoise": (AREA, 3, ["--integrator=path", "--samples=3", "--denoise"], ".png"),
+    "layers": (PLAIN, 5, ["+A0.3", "--aov=depth,normal,albedo,object,uv"], ".png"),
+    "window": (PLAIN, 5, ["+SC11", "+EC70", "+SR0.2", "+ER0.9"], ".png"),
+    "dithering": (AREA, 3, ["Dither=on", "Dither_Method=FS"], ".png"),
+    "bits": (PLAIN, 3, ["+FN16", "+UA"], ".png"),
+    "bmp": (AREA, 3, ["+FB", "Dither=on"], ".bmp"),
+    "exr": (PLAIN, 3, ["+FE", "+UA"], ".exr"),
+    "jpeg": (PLAIN, 3, ["+FJ"], ".jpg"),
+    "strips": (PLAIN, 3, ["--memory=0.02", "+BS4"], ".png"),
+    "clock": (PLAIN.replace("sphere { 0", "sphere { clock*x"), 3, ["+K0.5"], ".png"),
+}
+SIZE = ["+W96", "+H71", "+BS8", "+WT2"]
+
+
+class Trouble(Exception):
+    pass
+
+
+class Place:
+    """A folder with a scene, in which the program is called."""
+
+    def __init__(self, program, folder, scene=PLAIN, name="s"):
+        self.program, self.folder, self.name = program, pathlib.Path(folder), name
+        self.write(scene)
+
+    def write(self, scene):
+        (self.folder / f"{self.name}.pov").write_text(scene)
+
+    def call(self, *words, status=0):
+        done = subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True)
+        if done.returncode != status:
+            raise Trouble(f"{words}: status {done.returncode} in place of {status}\n{done.stdout}{done.stderr}")
+        return done.stdout + done.stderr
+
+    def render(self, *words, status=0):
+        return self.call(f"{self.name}.pov", *SIZE, *words, status=status)
+
+    def parts(self, number, *words):
+        """Renders them, the last one first, and gives their names."""
+        for i in range(number, 0, -1):
+            self.render(f"--shard={i}/{number}", *words)
+        return sorted(p.name for p in self.folder.glob(f"*-of-{number}.whittle-part"))
+
+    def bytes(self, name):
+        return (self.folder / name).read_bytes()
+
+
+def tell(condition, text):
+    if not condition:
+        raise Trouble(text)
+
+
+def joined_as_one_run(place, number, options, ending):
+    place.render(*options)
+    parts = place.parts(number, *options)
+    tell(len(parts) == number, f"{len(parts)} parts in place of {number}")
+    place.call("join", "--check", *parts)
+    place.call("join", "joined" + ending, *reversed(parts))
+    for end in (ending, ".layers.exr"):
+        if (place.folder / ("s" + end)).exists():
+            tell(place.bytes("s" + end) == place.bytes("joined" + end), f"the bytes of joined{end} are others")
+    left = [p.name for p in place.folder.iterdir() if ".part" in p.name or p.name.endswith("-state")]
+    tell(not left, f"left behind: {left}")
+
+
+def says(text, *wanted):
+    for words in wanted:
+        tell(words in text, f"'{words}' is not in:\n{text}")
+
+
+def missing(place):
+    parts = place.parts(5)
+    (place.folder / parts[1]).unlink()
+    parts.remove(parts[1])
+    says(place.call("join", "--check", *parts, status=75), "part 2 of 5 is missing")
+    says(place.call("join", "out.png", *parts, status=75), "part 2 of 5 is missing")
+    tell(not (place.folder / "out.png").exists(), "a picture is there")
+    place.render("--shard=2/5", "+C")
+    says(place.render("--shard=3/5", "+C"), "skipped")
+    place.render()
+    place.call("join", "out.png", *place.parts(5, "+C"))
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+    says(place.call("join", "out.png", "none.whittle-part", status=75), "none.whittle-part")
+
+
+def truncated(place):
+    parts = place.parts(3)
+    whole = place.bytes(parts[1])
+    for cut in (len(whole) - 1, len(whole) // 2, 40, 0):
+        (place.folder / parts[1]).write_bytes(whole[:cut])
+        says(place.call("join", "out.png", *parts, status=75), f"{parts[1]}: it is cut short")
+    flipped = bytearray(whole)
+    flipped[len(whole) // 2] ^= 1
+    (place.folder / parts[1]).write_bytes(flipped)
+    says(place.call("join", "--check", *parts, status=75), f"{parts[1]}: it is cut short")
+    tell("skipped" not in place.render("--shard=2/3", "+C"), "a damaged part is left as it is")
+    tell(place.bytes(parts[1]) == whole, "the part is another")
+    place.call("join", "out.png", *parts)
+
+
+def other_picture(place):
+    """A scene that was edited in between, and a part of another version: its fingerprint is another."""
+    parts = place.parts(3)
+    place.write(PLAIN + "// edited\n")
+    says(place.render("--shard=2/3", "+C"), "is of an older scene")
+    says(place.call("join", "out.png", *parts, status=1), f"{parts[1]}: it is of another scene")
+    for i in (1, 3):
+        says(place.render(f"--shard={i}/3", "+C"), "is of an older scene")
+    place.render()
+    place.call("join", "out.png", *parts)
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+    (place.folder / "text.whittle-part").write_text("a text of some length\n" * 20)
+    says(place.call("join", "out.png", *parts, "text.whittle-part", status=1), "it is no part of a picture")
+    place.call("join", "out.jpg", *parts, status=1)
+
+
+def twice_at_once(place):
+    words = [place.program, "s.pov", *SIZE, "--shard=1/2", "--state-after=0", "--quiet"]
+    both = [subprocess.Popen(words, cwd=place.folder) for _ in range(4)]
+    tell([process.wait() for process in both] == [0] * 4, "a part fails beside itself")
+    place.render("--shard=2/2")
+    place.render()
+    place.call("join", "out.png", "s.1-of-2.whittle-part", "s.2-of-2.whittle-part")
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+
+
+def read_only(place):
+    parts = place.parts(2)
+    if os.geteuid() != 0:
+        (place.folder / "closed").mkdir(mode=0o555)
+        place.call("join", "closed/out.png", *parts, status=1)
+        place.render("+Oclosed/x.png", "--shard=1/2", status=1)
+    says(place.call("join", "/proc/out.png", *parts, status=1), "/proc/out.png")  # where root writes nothing either
+    place.render("+O/proc/x.png", "--shard=1/2", status=1)
+    place.call("join", "nowhere/out.png", *parts, status=1)
+
+
+def refused(place):
+    for words in (["+O-"], ["--faithful", "+WT1"], ["--aov=time"], ["-F"]):
+        place.render("--shard=1/2", *words, status=1)
+    for wrong in ("0/3", "4/3", "3", "1/0", "a/b", "1/2/3", "-1/3"):
+        says(place.render(f"--shard={wrong}", status=1), "--shard wants")
+    says(place.render("--shard=1/2", "--time=0.05"), "not that of one run")
+    place.call("join", "out.png", status=1)
+    place.call("join", status=1)
+
+
+def frames(place):
+    """Parts of a frame have its number, and states of parts are taken up."""
+    place.write(PLAIN.replace("sphere { 0", "sphere { clock*x"))
+    place.render("+KFF2")
+    place.parts(3, "+KFF2")
+    for frame in "12":
+        parts = [f"s{frame}.{i}-of-3.whittle-part" for i in (1, 2, 3)]
+        place.call("join", f"out{frame}.png", *parts)
+        tell(place.bytes(f"out{frame}.png") == place.bytes(f"s{frame}.png"), "other bytes")
+
+
+def older_pictures(place):
+    """+C renders a picture of an older scene anew, and leaves the others."""
+    for ending, words in ((".png", ["+FN"]), (".exr", ["+FE"])):
+        place.write(PLAIN)
+        place.render(*words)
+        says(place.render("+C", "+WT1", *words), "skipped")
+        says(place.render("+C", "+A0.3", *words), "is of an older scene")
+        place.write(PLAIN + "#include \"more.inc\"\n")
+        (place.folder / "more.inc").write_text("sphere { x, 0.3 }\n")
+        says(place.render("+C", *words), "is of an older scene")
+        says(place.render("+C", *words), "skipped")
+        first = place.bytes("s" + ending)
+        (place.folder / "more.inc").write_text("sphere { x, 0.5 }\n")
+        says(place.render("+C", *words), "is of an older scene")
+        tell(place.bytes("s" + ending) != first, "the picture is the older one")
+    place.write(PLAIN)
+    place.render("+Fp", "+Ob")
+    says(place.render("+Fp", "+Ob", "+C", "+A"), "skipped")  # which says nothing of itself
+
+
+def fingerprints(place):
+    """The same in the picture, in a part's heading and in --json, wherever and by however many threads."""
+    def of(*words, at=place):
+        at.render("--json", "j.json", *words)
+        return re.search('"fingerprint": *"([0-9a-f]{16})"', (at.folder / "j.json").read_text())[1]
+    one = of()
+    picture = place.bytes("s.png")
+    at = picture.index(b"tEXtWhittleFingerprint\0")
+    tell(picture[at + 23:at + 39].decode() == one, "the picture has another")
+    tell(struct.unpack(">I", picture[at + 39:at + 43])[0] == zlib.crc32(picture[at:at + 39]), "the text's sum is wrong")
+    tell(of("--shard=2/3") == one, "a part has another")
+    (place.folder / "sub").mkdir()
+    other = Place(place.program, place.folder / "sub", name="other name")
+    tell(of("+WT1", at=other) == one, "a name or a thread counts")
+    seen = {one}
+    for words in (["+A"], ["+W95"], ["+K1"], ["Declare=a=1"], ["+FN16"], ["+UA"], ["+Q5"], ["--samples=2"],
+                  ["--samples=2", "--seed=3"], ["File_Gamma=1.8"], ["Dither=on"], ["+A", "+BS16"]):
+        seen.add(of(*words))
+    tell(len(seen) == 13, "options do not count")
+
+
+def names(place):
+    name = "a b \u00e4\u6f22 [1]"
+    other = Place(place.program, place.folder, name=name)
+    other.render()
+    parts = other.parts(3)
+    other.call("join", "x \u00fc.png", *parts)
+    tell(other.bytes("x \u00fc.png") == other.bytes(name + ".png"), "other bytes")
+
+
+FAULTS = {f.__name__: f for f in (missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
+                                  fingerprints, names)}
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    program, chosen = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:] or [*CASES, *FAULTS]
+    failed = 0
+    for name in chosen:
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                if name in CASES:
+                    scene, *rest = CASES[name]
+                    joined_as_one_run(Place(program, folder, scene), *rest)
+                else:
+                    FAULTS[name](Place(program, folder))
+                print(f"{name}: as one run" if name in CASES else f"{name}: as told", flush=True)
+            except Trouble as trouble:
+                failed += 1
+                print(f"{name}: {trouble}", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
