@@ -126,18 +126,19 @@ private:
         const int strips = one_by_one ? 1 : std::max(1, (samples.columns + kTileSide / 2) / kTileSide),
                   most = one_by_one ? 1 : kTileRays;
         self.begin_tile();
-        for (int strip = 0; strip < strips; ++strip)
+        for (int strip = 0; strip < strips; ++strip) {
+            const int left = samples.columns * strip / strips, right = samples.columns * (strip + 1) / strips;
             for (int n = 0; n < samples.rows; ++n) {
                 const int row = strip % 2 == 0 ? n : samples.rows - 1 - n;
-                for (int column = samples.columns * strip / strips; column < samples.columns * (strip + 1) / strips;
-                     ++column) {
-                    const std::size_t at = static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column);
-                    self.add_sample(samples.first + SamplePosition(column, row), out + at);
+                scene::Color* const to = out + static_cast<std::size_t>(row) * stride;
+                for (int column = left; column < right; ++column) {
+                    self.add_sample(samples.first + SamplePosition(column, row), to + column);
                     if (self.samples_ < most) continue;
                     self.finish_tile();
                     self.begin_tile();
                 }
             }
+        }
         if (self.samples_ > 0) self.finish_tile();
     }
 

@@ -13,14 +13,15 @@ namespace {
 void store(const Block& block, const std::vector<scene::Color>& colors, image::Image& image)
 {
     const scene::Color* color = colors.data();
-    for (int row = 0; row < block.height; ++row)
-        for (int column = 0; column < block.width; ++column, ++color) {
-            float* pixel = image.at(block.left + column, block.top + row);
+    for (int row = 0; row < block.height; ++row) {
+        float* pixel = image.at(block.left, block.top + row);
+        for (int column = 0; column < block.width; ++column, ++color, pixel += 4) {
             pixel[0] = color->red;
             pixel[1] = color->green;
             pixel[2] = color->blue;
             pixel[3] = color->transmit;
         }
+    }
 }
 
 }  // namespace

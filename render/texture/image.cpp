@@ -1,6 +1,7 @@
 #include "render/texture/image.h"
 
 #include "numbers/functions/functions.h"
+#include "numbers/remainder.h"
 #include "numbers/remainder_lanes.h"
 #include "render/texture/image_taps.h"
 #include "render/texture/points/angle.h"
@@ -15,46 +16,72 @@
 namespace texture {
 namespace {
 
-double wrapped(double v, double size)
+// Of one point or of a point a lane (T) where it says so.
+
+template <class T>
+T wrapped(const T& v, double size)
 {
-    const double r = numbers::fmod(v, size);
-    return r < 0.0 ? r + size : r;
+    const T r = numbers::fmod(v, T(size));
+    return csg::lanes::choose(r < T(0.0), r + T(size), r);
 }
 
 /// Height on the tube of a torus of radius 1, 0 to 1 (spec 4, 8.2).
-double around_tube(const glm::dvec3& p)
+template <class T>
+T around_tube(const T& px, const T& py, const T& pz)
 {
-    const double x = std::sqrt(p.x * p.x + p.z * p.z) - 1.0, r = std::sqrt(x * x + p.y * p.y);
-    const double turned = numbers::acos(-x / r) / kTau;
-    return p.y > 0.0 ? 1.0 - turned : turned;
+    using csg::lanes::root_of;
+    const T one(1.0), x = root_of(px * px + pz * pz) - one, r = root_of(x * x + py * py),
+                      turned = numbers::acos(csg::lanes::negated(x) / r) / T(kTau);
+    return csg::lanes::choose(py > T(0.0), one - turned, turned);
 }
 
-/// In texels, rightward and upward; false where the projection has none.
-bool project(const Image& image, const glm::dvec3& p, const glm::dvec2& size, glm::dvec2& at)
+/// The point in texels, rightward and upward; false where the projection has none.
+template <class T>
+csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const glm::dvec2& size)
 {
-    const double beside = p.x * p.x + p.z * p.z;
+    const T zero(0.0), one(1.0), sx(size.x), sy(size.y), beside = x * x + z * z;
+    const csg::lanes::Truth<T> left = x<zero, right = x> one, low = y<zero, high = y> one, off_axis = !(beside == zero);
     switch (image.projection) {
     case Image::Projection::Planar:
-        if (image.once && (p.x < 0.0 || p.x > 1.0 || p.y < 0.0 || p.y > 1.0)) return false;
-        at = {numbers::fmod(p.x * size.x, size.x), numbers::fmod(p.y * size.y, size.y)};
-        return true;
+        x = numbers::fmod(x * sx, sx);
+        y = numbers::fmod(y * sy, sy);
+        return image.once ? !(left | right | low | high) : zero == zero;
     case Image::Projection::Spherical: {
-        const double length = glm::length(p);
-        if (length == 0.0) return false;
-        at = {beside == 0.0 ? 0.0 : turn(p.x, p.z) * size.x,
-              (0.5 + numbers::asin(p.y / length) / std::numbers::pi) * size.y};
-        return true;
+        const T length = csg::lanes::root_of(x * x + y * y + z * z);
+        x = csg::lanes::choose(off_axis, turn(x, z) * sx, zero);
+        y = (T(0.5) + numbers::asin(y / length) / T(std::numbers::pi)) * sy;
+        return !(length == zero);
     }
     case Image::Projection::Cylindrical:
-        if (beside == 0.0 || (image.once && (p.y < 0.0 || p.y > 1.0))) return false;
-        at = {turn(p.x, p.z) * size.x, numbers::fmod(p.y * size.y, size.y)};
-        return true;
-    case Image::Projection::Torus:
-        if (beside == 0.0) return false;
-        at = {turn(p.x, p.z) * size.x, around_tube(p) * size.y};
-        return true;
+        x = turn(x, z) * sx;
+        y = numbers::fmod(y * sy, sy);
+        return image.once ? off_axis & !(low | high) : off_axis;
+    case Image::Projection::Torus: {
+        const T around = around_tube(x, y, z);
+        x = turn(x, z) * sx;
+        y = around * sy;
+        return off_axis;
     }
-    return false;
+    }
+    return zero != zero;
+}
+
+/// The point as its place in the picture, in texels; false where it is not.
+template <class T>
+csg::lanes::Truth<T> find_place(const Image& image, T& x, T& y, const T& z)
+{
+    const glm::dvec2 real{image.width, image.height}, move = kTiny - image.offset * real;
+    const T zero(0.0), width(real.x), height(real.y);
+    csg::lanes::Truth<T> there = project(image, x, y, z, real * image.repeat);
+    x = x + T(move.x);
+    y = y + T(move.y);
+    const csg::lanes::Truth<T> number_x = x - x == zero, number_y = y - y == zero, left = x < zero, low = y < zero,
+                               right = x >= width, high = y >= height;
+    there = there & number_x & number_y;
+    if (image.once) there = there & !(left | low | right | high);
+    x = wrapped(x, real.x);
+    y = wrapped(csg::lanes::negated(y), real.y);
+    return there;
 }
 
 /// f(texel_of), where texel_of(i) is a texel's colour: a form for each way that pictures are kept.
@@ -168,42 +195,14 @@ struct Places {
     }
 };
 
-Double wrapped(const Double& v, double size)
-{
-    const Double r = numbers::fmod(v, Double(size));
-    return xsimd::select(r < Double(0.0), r + Double(size), r);
-}
-
-/// A planar picture's.
-void find_planar(const Image& image, const Points& p, Places& out)
-{
-    const glm::dvec2 real{image.width, image.height}, size = real * image.repeat, move = kTiny - image.offset * real;
-    const Double zero(0.0), one(1.0), sx(size.x), sy(size.y);
-    for (std::size_t i = 0; i < p.size(); i += kLanes) {
-        const Double px = get(p.x, i), py = get(p.y, i);
-        const Double x = numbers::fmod(px * sx, sx) + Double(move.x), y = numbers::fmod(py * sy, sy) + Double(move.y);
-        auto there = (x - x == zero) & (y - y == zero);  // a number
-        if (image.once)
-            there = there & !((px < zero) | (px > one) | (py < zero) | (py > one)) &
-                    !((x < zero) | (y < zero) | (x >= Double(real.x)) | (y >= Double(real.y)));
-        wrapped(x, real.x).store_aligned(out.x.data() + i);
-        wrapped(zero - y, real.y).store_aligned(out.y.data() + i);
-        out.there |= std::uint64_t{csg::lanes::mask(there)} << i;
-    }
-}
-
 Places places_of(const Image& image, const Points& p)
 {
     Places out;
-    if (image.projection == Image::Projection::Planar) {
-        find_planar(image, p, out);
-        return out;
-    }
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        glm::dvec2 place{0.0};
-        out.there |= std::uint64_t{image_place(image, p.at(i), place)} << i;
-        out.x[i] = place.x;
-        out.y[i] = place.y;
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        Double x = get(p.x, i), y = get(p.y, i);
+        out.there |= std::uint64_t{csg::lanes::mask(find_place(image, x, y, get(p.z, i)))} << i;
+        x.store_aligned(out.x.data() + i);
+        y.store_aligned(out.y.data() + i);
     }
     return out;
 }
@@ -237,13 +236,9 @@ void bend_by_heights(const T& size, const T& here, const T& left, const T& right
 
 bool image_place(const Image& image, const glm::dvec3& p, glm::dvec2& place)
 {
-    const glm::dvec2 real{image.width, image.height};
-    glm::dvec2 at;
-    if (!project(image, p, real * image.repeat, at)) return false;
-    at += kTiny - image.offset * real;
-    if (!(std::isfinite(at.x) && std::isfinite(at.y))) return false;
-    if (image.once && (at.x < 0.0 || at.y < 0.0 || at.x >= real.x || at.y >= real.y)) return false;
-    place = {wrapped(at.x, real.x), wrapped(-at.y, real.y)};
+    glm::dvec2 at(p);
+    if (!find_place(image, at.x, at.y, p.z)) return false;
+    place = at;
     return true;
 }
 

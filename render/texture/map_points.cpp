@@ -5,6 +5,7 @@
 #include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace texture {
 namespace {
@@ -15,61 +16,105 @@ struct BlendPoints {
     Values share;
 };
 
-/// Entries of maps that are looked up in registers.
-constexpr std::uint32_t kMostEntries = 32;
+/// Points whose places are looked up together.
+constexpr std::size_t kTogether = 8;
+std::size_t in_eights(std::size_t count) { return (count + kTogether - 1) / kTogether * kTogether; }
 
-/// A number for each entry of a map.
-struct Table {
-    alignas(32) std::array<float, kMostEntries> numbers{};
-    std::uint32_t entries;
+/// A number for each entry of a map: those of short maps are in registers.
+class Table {
+public:
+    /// first: of the numbers, which lie `stride` apart
+    Table(const float* first, int stride, std::uint32_t entries) : first_(first), stride_(stride), entries_(entries)
+    {
+        for (std::uint32_t k = 0; k < entries && is_short(); ++k)
+            numbers_[k] = first[k * static_cast<std::uint32_t>(stride)];
+    }
+    bool is_short() const { return entries_ <= kShort; }
 
 #if defined(__AVX2__)
-    static constexpr std::uint32_t kPart = 8;
     /// Those of eight places.
     __m256 at(const std::int32_t* places) const
     {
         const __m256i where = _mm256_load_si256(reinterpret_cast<const __m256i*>(places));
-        __m256 out = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers.data()), where);
-        for (std::uint32_t k = kPart; k < entries; k += kPart) {
-            const __m256 more = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers.data() + k), where);
+        if (!is_short())
+            return _mm256_i32gather_ps(first_, _mm256_mullo_epi32(where, _mm256_set1_epi32(stride_)), sizeof(float));
+        __m256 out = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers_.data()), where);
+        for (std::uint32_t k = kTogether; k < entries_; k += kTogether) {
+            const __m256 more = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers_.data() + k), where);
             const __m256i beyond = _mm256_cmpgt_epi32(where, _mm256_set1_epi32(static_cast<int>(k) - 1));
             out = _mm256_blendv_ps(out, more, _mm256_castsi256_ps(beyond));
         }
         return out;
     }
+#else
+    float at(std::int32_t place) const { return first_[place * stride_]; }
 #endif
+
+private:
+    static constexpr std::uint32_t kShort = 32;
+
+    const float* first_;
+    int stride_;
+    std::uint32_t entries_;
+    alignas(32) std::array<float, kShort> numbers_{};
 };
 
-/// The numbers at places, which reach to a whole number of vectors.
+/// The numbers at places, of as many points as are in_eights().
 void look_up(const Table& table, const std::array<std::int32_t, kMostPoints>& places, std::size_t count, Values& out)
 {
 #if defined(__AVX2__)
-    for (std::size_t i = 0; i < count; i += 8) {
+    for (std::size_t i = 0; i < count; i += kTogether) {
         const __m256 found = table.at(places.data() + i);
         _mm256_store_pd(out.data() + i, _mm256_cvtps_pd(_mm256_castps256_ps128(found)));
         _mm256_store_pd(out.data() + i + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(found, 1)));
     }
 #else
-    for (std::size_t i = 0; i < count; ++i)
-        out[i] = static_cast<double>(table.numbers[static_cast<std::size_t>(places[i])]);
+    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<double>(table.at(places[i]));
 #endif
 }
 
-/// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
+/// How many of the keys, which rise, are below each value.
+void count_below(const float* keys, std::uint32_t entries, const Table& table, const Values& values, std::size_t count,
+                 Values& out)
+{
+    const Double zero(0.0), one(1.0), all(static_cast<double>(entries));
+    if (table.is_short()) {
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            const Double v = get(values, i);
+            Double below = zero;
+            for (std::uint32_t k = 0; k < entries; ++k)
+                below = below + xsimd::select(Double(static_cast<double>(keys[k])) < v, one, zero);
+            below.store_aligned(out.data() + i);
+        }
+        return;
+    }
+    std::fill_n(out.data(), count, 0.0);
+    Values found;
+    alignas(64) std::array<std::int32_t, kMostPoints> last;
+    for (std::uint32_t step = std::bit_floor(entries); step > 0; step /= 2) {
+        const Double by(static_cast<double>(step));
+        for (std::size_t i = 0; i < count; i += kLanes)
+            csg::lanes::store_whole(xsimd::min(get(out, i) + by, all) - one, last.data() + i);
+        look_up(table, last, count, found);
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            const Double below = get(out, i), more = below + by;
+            const auto passed = (more <= all) & (get(found, i) < get(values, i));
+            xsimd::select(passed, more, below).store_aligned(out.data() + i);
+        }
+    }
+}
+
+/// blend_at() for rising keys, of as many points as are in_eights(): as many lie below a value as there are steps up to
+/// its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
 {
     const Double first_key(static_cast<double>(keys[0])), last_key(static_cast<double>(keys[entries - 1])), zero(0.0),
         one(1.0), last(static_cast<double>(entries - 1));
-    Table table;
-    table.entries = entries;
-    std::copy_n(keys, entries, table.numbers.data());
+    const Table table(keys, 1, entries);
     Values place, low, high;
+    count_below(keys, entries, table, values, count, place);
     for (std::size_t i = 0; i < count; i += kLanes) {
-        const Double v = get(values, i);
-        Double below = zero;
-        for (std::uint32_t k = 0; k < entries; ++k)
-            below = below + xsimd::select(Double(static_cast<double>(keys[k])) < v, one, zero);
-        const Double at = xsimd::select(v >= last_key, last, below);
+        const Double at = xsimd::select(get(values, i) >= last_key, last, get(place, i));
         at.store_aligned(place.data() + i);
         csg::lanes::store_whole(at, out.upper.data() + i);
         csg::lanes::store_whole(xsimd::max(at - one, zero), out.lower.data() + i);
@@ -88,7 +133,7 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
 void mix_points(const Table& table, const BlendPoints& blends, std::size_t count, float* out)
 {
 #if defined(__AVX2__)
-    for (std::size_t i = 0; i < count; i += 8) {
+    for (std::size_t i = 0; i < count; i += kTogether) {
         const __m256 low = table.at(blends.lower.data() + i),
                      step = _mm256_sub_ps(table.at(blends.upper.data() + i), low);
         const auto part = [&](__m128 steps, std::size_t at) {
@@ -100,8 +145,7 @@ void mix_points(const Table& table, const BlendPoints& blends, std::size_t count
     }
 #else
     for (std::size_t i = 0; i < count; ++i) {
-        const float low = table.numbers[static_cast<std::size_t>(blends.lower[i])],
-                    high = table.numbers[static_cast<std::size_t>(blends.upper[i])];
+        const float low = table.at(blends.lower[i]), high = table.at(blends.upper[i]);
         out[i] = low + static_cast<float>(blends.share[i] * static_cast<double>(high - low));
     }
 #endif
@@ -146,24 +190,22 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
                       const Points& points, ColorPoints& out)
 {
-    const std::size_t count = points.size();
     const float* keys = set.keys.data() + first;
     const scene::Color* colors = set.colors.data() + first;
-    if (entries > kMostEntries || !std::is_sorted(keys, keys + entries)) {
-        for (std::size_t i = 0; i < count; ++i) {
+    if (!std::is_sorted(keys, keys + entries)) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
             const Blend b = blend_at(set, first, entries, values[i]);
             out.set(i,
                     b.lower == b.upper ? set.colors[b.lower] : mix(set.colors[b.lower], set.colors[b.upper], b.share));
         }
         return;
     }
+    const std::size_t count = in_eights(points.size());
     BlendPoints blends;
     blend_points(keys, entries, values, count, blends);
-    Table table;
-    table.entries = entries;
+    constexpr int kStride = sizeof(scene::Color) / sizeof(float);
     const auto component = [&](float scene::Color::*of, std::array<float, kMostPoints>& to) {
-        for (std::uint32_t k = 0; k < entries; ++k) table.numbers[k] = colors[k].*of;
-        mix_points(table, blends, count, to.data());
+        mix_points(Table(&(colors->*of), kStride, entries), blends, count, to.data());
     };
     const auto clear = [](const scene::Color& c) { return c.filter != 0.0f || c.transmit != 0.0f; };
     component(&scene::Color::red, out.red);

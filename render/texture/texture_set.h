@@ -6,6 +6,7 @@
 #include "render/texture/image.h"
 #include "render/texture/pattern.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -90,6 +91,26 @@ struct Texture {
 
 /// Fields named by the structs above. `keys`, `colors`, `children` and `slopes` share one index space per map:
 /// entry i of a map has keys[i] and whichever of the others its kind uses.
+/// How far warps reach, component by component: of a black hole that does not repeat its centre and the square of a
+/// distance beyond which it moves nothing, of any other warp an infinite one.
+struct WarpReach {
+    std::vector<double> x, y, z, far;
+
+    void add(const Warp& warp)
+    {
+        const auto* hole = std::get_if<scene::BlackHoleWarp>(&warp);
+        const bool bounded = hole != nullptr && hole->repeat == glm::dvec3(0);
+        const glm::dvec3 center = bounded ? hole->center : glm::dvec3(0);
+        x.push_back(center.x), y.push_back(center.y), z.push_back(center.z);
+        far.push_back(bounded ? hole_reach(*hole) : std::numeric_limits<double>::infinity());
+    }
+    static double hole_reach(const scene::BlackHoleWarp& hole)
+    {
+        constexpr double kRoundings = 1.0 + 1e-12;
+        return hole.radius * hole.radius * kRoundings;
+    }
+};
+
 struct TextureSet {
     std::vector<Texture> textures;
     std::vector<Layer> layers;
@@ -99,6 +120,7 @@ struct TextureSet {
     std::vector<Normal> normals;
     std::vector<Pattern> patterns;
     std::vector<Warp> warps;
+    WarpReach reach;  ///< of each
     std::vector<Image> images;
     std::vector<std::shared_ptr<const scene::Volume>> volumes;
     std::vector<std::shared_ptr<const csg::InsideIndex>> objects;

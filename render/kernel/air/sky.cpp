@@ -1,5 +1,6 @@
 #include "render/kernel/air/sky.h"
 
+#include "numbers/lanes.h"
 #include "render/texture/evaluate_points.h"
 
 #include <algorithm>
@@ -29,23 +30,36 @@ scene::Color layered_sky(const texture::Sky& sky, bool see_through, ColorOf&& co
     return out;
 }
 
-template <class ColorOf>
-scene::Color legacy_sky(const texture::Sky& sky, ColorOf&& color_of)
+/// A colour, or one a lane.
+template <class V>
+struct Shade {
+    V red, green, blue, filter, transmit;
+};
+Shade<float> shade_of(const scene::Color& c) { return {c.red, c.green, c.blue, c.filter, c.transmit}; }
+
+/// Its red, green and blue; color_of(i) is the Shade of layer i.
+template <class V, class ColorOf>
+std::array<V, 3> legacy_sky(const texture::Sky& sky, ColorOf&& color_of)
 {
-    scene::Color sum, filter{1, 1, 1, 1, 1};
-    float share = 1;
+    using std::abs;
+    Shade<V> sum{V(0.0f), V(0.0f), V(0.0f), V(0.0f), V(0.0f)}, filter{V(1.0f), V(1.0f), V(1.0f), V(1.0f), V(1.0f)};
+    V share(1.0f);
     for (std::size_t i = sky.layers.size(); i-- > 0;) {
-        const scene::Color c = color_of(i);
-        const float own = share * (1.0f - c.filter - c.transmit);
-        sum.red += c.red * own;
-        sum.green += c.green * own;
-        sum.blue += c.blue * own;
+        const Shade<V> c = color_of(i);
+        const V own = share * (V(1.0f) - c.filter - c.transmit);
+        sum.red = sum.red + c.red * own;
+        sum.green = sum.green + c.green * own;
+        sum.blue = sum.blue + c.blue * own;
         filter = {filter.red * c.red, filter.green * c.green, filter.blue * c.blue, filter.filter * c.filter,
                   filter.transmit * c.transmit};
-        share = std::abs(filter.filter) + std::abs(filter.transmit);
+        share = abs(filter.filter) + abs(filter.transmit);
     }
-    return scene::Color::of(sum.rgb() * sky.emission +
-                            sky.background.rgb() * (filter.rgb() * filter.filter + filter.transmit));
+    const auto seen = [&](const V& own, float emission, float behind, const V& passed) {
+        return own * V(emission) + V(behind) * (passed * filter.filter + filter.transmit);
+    };
+    const scene::Color& b = sky.background;
+    return {seen(sum.red, sky.emission.x, b.red, filter.red), seen(sum.green, sky.emission.y, b.green, filter.green),
+            seen(sum.blue, sky.emission.z, b.blue, filter.blue)};
 }
 
 /// What a ray sees of the sky with its layers in these colours.
@@ -59,7 +73,8 @@ scene::Color seen_sky(const texture::Sky& sky, bool mirrored, ColorOf&& color_of
     }
     if (!sky.legacy) return layered_sky(sky, sky.alpha_output && !mirrored, color_of);
     if (sky.alpha_output && !mirrored) return {0, 0, 0, 0, 1};
-    return legacy_sky(sky, color_of);
+    const auto [red, green, blue] = legacy_sky<float>(sky, [&](std::size_t i) { return shade_of(color_of(i)); });
+    return {red, green, blue, 0, 0};
 }
 
 }  // namespace
@@ -117,6 +132,23 @@ void layered_skies(const texture::Sky& sky, bool see_through, const LayerColors&
     }
 }
 
+/// legacy_sky() of the first `count` rays.
+void legacy_skies(const texture::Sky& sky, std::size_t count, const LayerColors& colors, texture::ColorPoints& out)
+{
+    using csg::lanes::FloatPart;
+    out.fill_clear(0.0f);
+    for (std::size_t k = 0; k < count; k += csg::lanes::kFloatPart) {
+        const auto load = [k](const auto& of) { return FloatPart::load_aligned(of.data() + k); };
+        const auto [red, green, blue] = legacy_sky<FloatPart>(sky, [&](std::size_t i) {
+            const texture::ColorPoints& c = colors[i];
+            return Shade<FloatPart>{load(c.red), load(c.green), load(c.blue), load(c.filter), load(c.transmit)};
+        });
+        red.store_aligned(out.red.data() + k);
+        green.store_aligned(out.green.data() + k);
+        blue.store_aligned(out.blue.data() + k);
+    }
+}
+
 /// Skies with layers, of rays enough to be looked up together.
 void patterned_skies(const Context& context, const SegmentTile& tile, HitMask missed, scene::Color* out)
 {
@@ -139,9 +171,11 @@ void patterned_skies(const Context& context, const SegmentTile& tile, HitMask mi
     for (std::size_t i = 0; i < sky.layers.size(); ++i)
         texture::pigment_colors(context.scene.textures, sky.layers[i], directions, each_around, colors[i]);
     std::size_t n = 0;
-    if (!sky.legacy && (!sky.alpha_output || mirrored == 0 || mirrored == first_hits(directions.count))) {
+    const bool all_mirrored = mirrored == first_hits(directions.count);
+    if (!sky.alpha_output || all_mirrored || (mirrored == 0 && !sky.legacy)) {
         texture::ColorPoints seen;
-        layered_skies(sky, sky.alpha_output && mirrored == 0, colors, seen);
+        if (sky.legacy) legacy_skies(sky, directions.size(), colors, seen);
+        else layered_skies(sky, sky.alpha_output && mirrored == 0, colors, seen);
         for_each_hit(missed, [&](std::size_t k) { out[k] = seen.at(n++); });
         return;
     }

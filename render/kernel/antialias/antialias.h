@@ -75,7 +75,8 @@ struct AntialiasScratch {
     std::vector<std::uint32_t> order;           ///< a block's cells, neighbours in the picture side by side
     std::vector<std::uint32_t> unsure;          ///< method 2: cells whose corners may differ, in that order
     int ordered_columns = 0, ordered_rows = 0;  ///< of this block
-    std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter
+    std::vector<SamplePosition> sub_positions, nominal_positions;  ///< asked for now; before jitter, or (method 1)
+                                                                   ///< those about a pixel's centre
     std::vector<scene::Color> sub_colors;
     BlockEdges edges;
     std::uint64_t supersamples = 0;  ///< samples beyond the first of each pixel, added up; shared ones count for each

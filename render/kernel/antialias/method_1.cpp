@@ -164,12 +164,11 @@ private:
     void refine()
     {
         const int n = settings_.depth;
-        scratch_.sub_positions.clear();
         if (!tracer_.in_order)
             for (const std::uint32_t pixel : scratch_.order)
                 if (scratch_.marked[pixel] != 0 && scratch_.places[pixel] == kNoPlace)
                     scratch_.refined.push_back(pixel);
-        for (const std::size_t pixel : scratch_.refined) add_positions(pixel, n);
+        add_positions(n);
         if (settings_.jitter > 0) jitter_positions(settings_.jitter / n);
         scratch_.sub_colors.resize(scratch_.sub_positions.size());
         tracer_.few(scratch_.sub_positions.data(), static_cast<int>(scratch_.sub_positions.size()),
@@ -187,14 +186,20 @@ private:
         asked_ = false;
     }
 
-    void add_positions(std::size_t pixel, int n)
+    /// Of the refined pixels, before jitter.
+    void add_positions(int n)
     {
-        const SamplePosition centre(block_.left - 1 + static_cast<int>(pixel % stride_),
-                                    block_.top - 1 + static_cast<int>(pixel / stride_));
+        scratch_.nominal_positions.clear();
         for (int row = 0; row < n; ++row)
             for (int column = 0; column < n; ++column)
-                scratch_.sub_positions.push_back(centre +
-                                                 SamplePosition(-0.5 + (column + 0.5) / n, -0.5 + (row + 0.5) / n));
+                scratch_.nominal_positions.emplace_back(-0.5 + (column + 0.5) / n, -0.5 + (row + 0.5) / n);
+        scratch_.sub_positions.resize(scratch_.refined.size() * samples_of_pixel());
+        SamplePosition* to = scratch_.sub_positions.data();
+        for (const std::size_t pixel : scratch_.refined) {
+            const SamplePosition centre(block_.left - 1 + static_cast<int>(pixel % stride_),
+                                        block_.top - 1 + static_cast<int>(pixel / stride_));
+            for (const SamplePosition& beside : scratch_.nominal_positions) *to++ = centre + beside;
+        }
     }
 
     /// Moves the positions by what jitter gives for each.

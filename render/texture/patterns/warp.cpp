@@ -7,6 +7,8 @@
 #include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -63,13 +65,6 @@ glm::dvec3 to_cubic(const glm::dvec3& p)
     return {1.0 - eighth(p.x / a.z), kThird + kThird * half(p.y / a.z), a.z};
 }
 
-/// A squared distance beyond which a black hole moves nothing. Most points are that far off, and need no square root.
-double beyond(const scene::BlackHoleWarp& w)
-{
-    constexpr double kRoundings = 1.0 + 1e-12;
-    return w.radius * w.radius * kRoundings;
-}
-
 struct Apply {
     glm::dvec3 p;
 
@@ -113,7 +108,7 @@ struct Apply {
         }
         const glm::dvec3 delta = p - center;
         const double square = glm::dot(delta, delta);
-        if (square > beyond(w)) return p;
+        if (square > WarpReach::hole_reach(w)) return p;  // most points are, and need no square root
         const double distance = std::sqrt(square);
         if (distance >= w.radius) return p;
         const double pull = std::min(1.0, w.strength * numbers::pow((w.radius - distance) / w.radius, w.falloff));
@@ -214,7 +209,7 @@ struct ApplyToAll {
     void operator()(const scene::BlackHoleWarp& w) const
     {
         if (w.repeat != glm::dvec3(0)) return one_by_one(w);
-        const Double x(w.center.x), y(w.center.y), z(w.center.z), far(beyond(w));
+        const Double x(w.center.x), y(w.center.y), z(w.center.z), far(WarpReach::hole_reach(w));
         for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
             const Double dx = get(p.x, i) - x, dy = get(p.y, i) - y, dz = get(p.z, i) - z;
             const auto out = dx * dx + dy * dy + dz * dz > far;
@@ -239,11 +234,63 @@ private:
     }
 };
 
+/// The box around points; around everything if one is not finite.
+struct PointBox {
+    glm::dvec3 lower, upper;
+
+    explicit PointBox(const Points& p)
+    {
+        Double size(0.0);
+        const auto range = [&](const Values& v, double& low, double& high) {
+            Double least = get(v, 0), most = least;
+            for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+                const Double own = get(v, i);
+                least = xsimd::min(least, own), most = xsimd::max(most, own);
+                size = size + xsimd::abs(own);
+            }
+            alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
+            least.store_aligned(lows.data()), most.store_aligned(highs.data());
+            low = *std::min_element(lows.begin(), lows.end()), high = *std::max_element(highs.begin(), highs.end());
+        };
+        range(p.x, lower.x, upper.x);
+        range(p.y, lower.y, upper.y);
+        range(p.z, lower.z, upper.z);
+        if (xsimd::all(size < Double(csg::kInfinity))) return;
+        lower = glm::dvec3(-csg::kInfinity), upper = glm::dvec3(csg::kInfinity);
+    }
+};
+
+/// The first warp of [i, end) that may move something of the box. The box is no farther from a hole than its points are
+/// by the same roundings.
+std::uint32_t next_near(const WarpReach& reach, std::uint32_t i, std::uint32_t end, const PointBox& box)
+{
+    constexpr auto kLanes = static_cast<std::uint32_t>(csg::lanes::kDoubles);
+    const Double zero(0.0);
+    const auto apart = [&](const std::vector<double>& centers, std::size_t from, double low, double high) {
+        const Double center = Double::load_unaligned(centers.data() + from),
+                     d = xsimd::max(zero, xsimd::max(Double(low) - center, center - Double(high)));
+        return d * d;
+    };
+    for (; i + kLanes <= end; i += kLanes) {
+        const Double square = apart(reach.x, i, box.lower.x, box.upper.x) +
+                              apart(reach.y, i, box.lower.y, box.upper.y) + apart(reach.z, i, box.lower.z, box.upper.z);
+        const std::uint32_t misses = csg::lanes::mask(square > Double::load_unaligned(reach.far.data() + i));
+        if (misses != (1u << kLanes) - 1) return i + static_cast<std::uint32_t>(std::countr_one(misses));
+    }
+    return i;
+}
+
 }  // namespace
 
 void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsigned live)
 {
+    constexpr std::uint32_t kMany = 16;  // warps left, for a look at several at once
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i) {
+        if (i + kMany <= pattern.warp_count && set.reach.far[pattern.first_warp + i] < csg::kInfinity) {
+            const std::uint32_t first = pattern.first_warp;
+            i = next_near(set.reach, first + i, first + pattern.warp_count, PointBox(p)) - first;
+            if (i == pattern.warp_count) break;
+        }
         const bool last = i + 1 == pattern.warp_count && !pattern.displaces;
         const Warp& warp = set.warps[pattern.first_warp + i];
         if (const auto* affine = last ? std::get_if<Affine>(&warp) : nullptr)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "numbers/functions/functions.h"
+#include "numbers/functions/lane_functions.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -12,12 +13,13 @@ namespace texture {
 inline constexpr double kTiny = 1e-10;  ///< the "small number" of the pattern formulas
 inline constexpr double kTau = 2.0 * std::numbers::pi;
 
-/// Counter-clockwise from +x toward +z, 0 to 1.
-inline double turn(double x, double z)
+/// Counter-clockwise from +x toward +z, 0 to 1; of a number or of vector lanes.
+template <class T>
+inline T turn(const T& x, const T& z)
 {
-    if (z == 0.0) return x > 0.0 ? 0.0 : 0.5;
-    const double a = numbers::acos(x / std::sqrt(x * x + z * z)) / kTau;
-    return z < 0.0 ? 1.0 - a : a;
+    using csg::lanes::choose;
+    const T zero(0.0), a = numbers::acos(x / csg::lanes::root_of(x * x + z * z)) / T(kTau);
+    return choose(z == zero, choose(x > zero, zero, T(0.5)), choose(z < zero, T(1.0) - a, a));
 }
 
 /// sin(2 pi v) for 0 <= v <= 1, by its series about the nearest quarter; 2e-16 from it at most. One for a number and

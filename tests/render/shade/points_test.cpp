@@ -19,7 +19,7 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
                                 K::Wood,         K::Crackle,     K::Crackle, K::Mandel,         K::Julia,   K::Gradient,
                                 K::Planar,       K::Cylindrical, K::Checker, K::Leopard,        K::Spiral1, K::Cells,
                                 K::Square,       K::Brick,       K::Onion,   K::PigmentPattern, K::Ripples, K::Waves,
-                                K::MagnetMandel, K::MagnetJulia};
+                                K::MagnetMandel, K::MagnetJulia, K::Spiral2, K::Radial,         K::Quilted};
     constexpr std::array kMetrics{2.0, 2.0, 1.0, 3.0, 1.5, 0.7, 130.0};
     Pattern p;
     p.kind = kKinds[static_cast<std::size_t>(rng.below(kKinds.size()))];
@@ -36,7 +36,8 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     p.noise_generator = static_cast<std::uint8_t>(1 + rng.below(3));
     p.wave = static_cast<scene::WaveForm>(rng.below(5));
     p.has_turbulence = rng.flip();
-    const bool inside = p.kind == K::Agate || p.kind == K::Marble || p.kind == K::Wood || p.kind == K::Spiral1;
+    const bool inside = p.kind == K::Agate || p.kind == K::Marble || p.kind == K::Wood || p.kind == K::Spiral1 ||
+                        p.kind == K::Spiral2;
     p.displaces = p.has_turbulence && !inside;
     p.turbulence = {rng.vector(1.0), 1 + rng.below(8), rng.uniform(1.5, 2.5), rng.uniform(0.3, 0.7)};
     for (int k = 0; k < 3; ++k)
@@ -70,6 +71,9 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
             break;
         default: set.warps.push_back(scene::RepeatWarp{{0, 1.5, 0}, {0.3, 0, 0}, {0, 1, 0}});
         }
+    for (int holes = rng.below(4) == 0 ? 20 + rng.below(60) : 0; holes > 0; --holes, ++p.warp_count)
+        set.warps.push_back(scene::BlackHoleWarp{rng.vector(4.0), rng.uniform(0.1, 1.0), rng.uniform(0.5, 2.0)});
+    while (set.reach.far.size() < set.warps.size()) set.reach.add(set.warps[set.reach.far.size()]);
     return p;
 }
 
@@ -82,12 +86,14 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
                    : rng.below(4) == 0      ? Kind::Average
                    : rng.below(4) == 0      ? Kind::Uv
                                             : Kind::PigmentMap;
+    const float clear = rng.flip() ? 1.0f : 0.0f;
     const auto color = [&] {
-        return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f,
-                            float(rng.uniform(0, 1))};
+        return scene::Color{float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), float(rng.uniform(0, 1)), 0.1f * clear,
+                            float(rng.uniform(0, 1)) * clear};
     };
     pigment.color = color();
-    pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 12 : 5));
+    pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 40 : 5));
+    if (pigment.kind == Kind::ColorMap && rng.below(8) == 0) pigment.count += 200;
     std::vector<std::uint32_t> children(pigment.count, 0);
     if (pigment.kind == Kind::PigmentMap || pigment.kind == Kind::Average || pigment.kind == Kind::Uv)
         for (auto& child : children) child = random_pigment(rng, set, depth - 1);
