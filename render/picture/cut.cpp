@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace trace {
 namespace {
@@ -13,19 +14,17 @@ namespace {
 /// Places of the grid: all parts ask for them anew, so many parts allow no more.
 constexpr int kMostPlaces = 256;
 
-/// What one ray costs at the places of a grid over the window, in rays.
-struct CoarseCost {
+struct CoarseGrid {
     Block window;
     int columns, rows;
-    std::vector<double> of;
 
-    explicit CoarseCost(const Block& picture) : window(picture)
+    explicit CoarseGrid(const Block& picture) : window(picture)
     {
         const double aspect = static_cast<double>(window.width) / window.height;
         columns = std::clamp(static_cast<int>(std::sqrt(kMostPlaces * aspect)), 1, std::min(kMostPlaces, window.width));
         rows = std::clamp(kMostPlaces / columns, 1, window.height);
-        of.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 1.0);
     }
+    std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
     SamplePosition place(std::size_t cell) const
     {
         const int column = static_cast<int>(cell) % columns, row = static_cast<int>(cell) / columns;
@@ -33,7 +32,7 @@ struct CoarseCost {
                 window.top + std::floor((row + 0.5) * window.height / rows)};
     }
     /// Half of the place itself and half of those around it: a block is wider than a ray.
-    double around(double x, double y) const
+    double around(const std::vector<double>& of, double x, double y) const
     {
         const int column = std::clamp(static_cast<int>((x - window.left) * columns / window.width), 0, columns - 1),
                   row = std::clamp(static_cast<int>((y - window.top) * rows / window.height), 0, rows - 1);
@@ -53,30 +52,36 @@ double rays_of(const RayCounts& counts)
 
 }  // namespace
 
-std::vector<std::size_t> cut_by_cost(const plan::CompiledScene& scene, const RenderOptions& options, int parts)
+std::vector<double> coarse_costs(const plan::CompiledScene& scene, const RenderOptions& options)
 {
     const Blocks blocks(scene.options);
-    CoarseCost cost(blocks.window());
-    if (!scene.options.paths) {  // whose paths cost about the same everywhere
-        const KernelTable& kernel = load_kernel(options.isa);
-        function::use(kernel.evaluators);
-        Workers<BlockTracer> workers(
-            options, [&] { return kernel.make(scene, options.indirect, options.cancel); }, kernel.free);
-        if (!workers.each(0, cost.of.size(), [&](std::size_t i, auto& worker) {
-                const double before = rays_of(kernel.counts(*worker.tracer));
-                const SamplePosition place = cost.place(i);
-                scene::Color color;
-                if (!kernel.sample(*worker.tracer, {&place, 1}, &color)) return false;
-                cost.of[i] += rays_of(kernel.counts(*worker.tracer)) - before;
-                return true;
-            }))
-            return {};
-    }
+    const CoarseGrid grid(blocks.window());
+    std::vector<double> costs(grid.size(), 1.0);
+    if (scene.options.paths) return costs;  // paths cost about the same everywhere
+    const KernelTable& kernel = load_kernel(options.isa);
+    function::use(kernel.evaluators);
+    Workers<BlockTracer> workers(
+        options, [&] { return kernel.make(scene, options.indirect, options.cancel); }, kernel.free);
+    const bool all = workers.each(0, costs.size(), [&](std::size_t i, auto& worker) {
+        const double before = rays_of(kernel.counts(*worker.tracer));
+        const SamplePosition place = grid.place(i);
+        scene::Color color;
+        if (!kernel.sample(*worker.tracer, {&place, 1}, &color)) return false;
+        costs[i] += rays_of(kernel.counts(*worker.tracer)) - before;
+        return true;
+    });
+    return all ? costs : std::vector<double>();
+}
+
+std::vector<std::size_t> cut_by_cost(const Blocks& blocks, const std::vector<double>& costs, int parts)
+{
+    const CoarseGrid grid(blocks.window());
+    if (costs.size() != grid.size()) throw std::runtime_error("the costs are those of another picture");
     std::vector<double> sums{0.0};
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const Block block = blocks[i];
-        sums.push_back(sums.back() + cost.around(block.left + 0.5 * block.width, block.top + 0.5 * block.height) *
-                                         block.width * block.height);
+        const double each = grid.around(costs, block.left + 0.5 * block.width, block.top + 0.5 * block.height);
+        sums.push_back(sums.back() + each * block.width * block.height);
     }
     std::vector<std::size_t> cut{0};
     for (int part = 1; part < parts; ++part) {

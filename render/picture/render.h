@@ -13,6 +13,7 @@
 namespace trace {
 
 struct IndirectLight;
+struct Prepared;
 
 /// Instruction sets with a kernel module of their own. Auto takes the best that the processor has.
 enum class Isa { Auto, V2, V3, V4 };
@@ -28,6 +29,7 @@ struct RenderOptions {
     std::function<void(std::string_view)> pass;     ///< told the name of each pass that begins; may be empty
     std::string radiosity_from, radiosity_to;       ///< files of samples to begin with and to leave; empty: none
     std::uint64_t radiosity_seed = 0;               ///< which of many sets of samples that are as good as each other
+    const Prepared* prepared = nullptr;             ///< what the passes have found before; null: they have not run
     std::size_t first = 0, last = ~std::size_t{0};  ///< blocks [first, last) alone, by number of Blocks
     /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;

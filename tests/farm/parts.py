@@ -116,6 +116,26 @@ def says(text, *wanted):
         tell(words in text, f"'{words}' is not in:\n{text}")
 
 
+def prepared(place):
+    """What --prepare leaves is as good as what each part finds; what is of another picture or damaged is not used."""
+    for scene in (RADIOSITY, PHOTONS, PLAIN):
+        place.write(scene)
+        place.render("+A0.3")
+        says(place.render("--prepare", "+A0.3"), "prepared: s.whittle-prepared")
+        for path in place.folder.glob("*-part"):
+            path.unlink()
+        says(place.render("--shard=1/3", "+A0.2"), "s.whittle-prepared is of another picture or damaged")
+        parts = place.parts(3, "+A0.3")
+        place.call("join", "out.png", *parts)
+        tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+        found = place.bytes("s.whittle-prepared")
+        for wrong in (found[:-1], found[:20], b"", found[:50] + bytes([found[50] ^ 1]) + found[51:]):
+            (place.folder / "s.whittle-prepared").write_bytes(wrong)
+            part = place.bytes(parts[0])
+            says(place.render("--shard=1/3", "+A0.3"), "s.whittle-prepared is of another picture or damaged")
+            tell(place.bytes(parts[0]) == part, "the part is another")
+
+
 def missing(place):
     parts = place.parts(5)
     (place.folder / parts[1]).unlink()
@@ -254,7 +274,7 @@ def names(place):
     tell(other.bytes("x \u00fc.png") == other.bytes(name + ".png"), "other bytes")
 
 
-FAULTS = {f.__name__: f for f in (missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
+FAULTS = {f.__name__: f for f in (prepared, missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
                                   fingerprints, names)}
 
 

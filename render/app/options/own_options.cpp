@@ -152,6 +152,10 @@ constexpr OwnOption kOwnOptions[] = {
     {"shard", "I/N",
      "render part I of N of the picture, into PICTURE.I-of-N.whittle-part: whittle join makes the picture of all parts",
      set_shard},
+    {"prepare", "",
+     "find what the parts of a picture need of the whole, photons and radiosity, into PICTURE.whittle-prepared, and "
+     "stop",
+     [](Settings& s, const std::string&) { s.prepare = true; }},
     {"allow-write", "FOLDER",
      "a scene may write files below this folder too, besides the current one and the picture's",
      [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},

@@ -49,6 +49,13 @@ Name output_name(const Settings& settings, const std::string& extension)
 
 }  // namespace
 
+std::string prepared_path(const Settings& settings, const std::string& path)
+{
+    const std::string ending = settings.shards > 0 ? part_ending(settings.shard, settings.shards)
+                                                   : image::extension(settings.file_type);
+    return path.substr(0, path.size() - ending.size()) + ".whittle-prepared";
+}
+
 bool to_standard_output(const Settings& settings)
 {
     return settings.output_file == "-" || settings.output_file == "stdout";

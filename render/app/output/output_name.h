@@ -11,6 +11,10 @@ namespace app {
 /// +O gives `sub/d.png`, as in POV-Ray; a scene named on its own gives a picture in the current folder.
 std::string output_path(const Settings& settings, const FrameList& list, const Frame& frame);
 
+/// What --prepare leaves for the parts of a picture, beside it.
+/// \param path  of output_path()
+std::string prepared_path(const Settings& settings, const std::string& path);
+
 /// +O- or +Ostdout.
 bool to_standard_output(const Settings& settings);
 

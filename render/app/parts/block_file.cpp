@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-constexpr std::string_view kMagic = "whittle blocks 1";
+constexpr std::string_view kBlocksMagic = "whittle blocks 1";
 
 struct Heading {
     char magic[16];
@@ -120,7 +120,7 @@ int BlocksOf::layer_row(int parts_before) const
 std::string heading_of(const BlocksOf& of)
 {
     Heading h{};
-    std::memcpy(h.magic, kMagic.data(), kMagic.size());
+    std::memcpy(h.magic, kBlocksMagic.data(), kBlocksMagic.size());
     h.fingerprint = std::strtoull(of.file.fingerprint.c_str(), nullptr, 16);
     h.first = of.first;
     h.last = of.last;
@@ -172,7 +172,7 @@ void BlockReader::read_heading()
 {
     Heading h;
     const std::size_t count = std::fread(&h, 1, sizeof h, file_.get());
-    strange_ = std::memcmp(h.magic, kMagic.data(), std::min(count, kMagic.size())) != 0;
+    strange_ = std::memcmp(h.magic, kBlocksMagic.data(), std::min(count, kBlocksMagic.size())) != 0;
     if (strange_ || count != sizeof h || h.text > kMostText) return;
     std::string text(h.text, '\0');
     if (std::fread(text.data(), 1, text.size(), file_.get()) != text.size() || h.check != check_of(h, text) ||

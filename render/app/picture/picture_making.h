@@ -9,6 +9,7 @@
 #include "render/app/picture/picture_part.h"
 #include "render/image/picture_writer.h"
 #include "render/kernel/gather/indirect_light.h"
+#include "render/picture/passes/prepared.h"
 #include "render/picture/render.h"
 
 #include <atomic>
@@ -31,6 +32,9 @@ private:
     }  ///< a file that +C can go on with
     bool cancelled() const { return task_.run.cancel.requested; }
     void resume();
+    void find_prepared();
+    int prepare();
+    std::vector<double> coarse_costs();
     bool choose_blocks();
     bool trace_blocks();
     bool finish_part();
@@ -54,6 +58,7 @@ private:
     std::size_t first_ = 0, last_ = blocks_.size();  ///< the blocks that are asked for
     image::Image picture_;
     trace::RenderStatistics statistics_;
+    std::optional<trace::Prepared> prepared_;               ///< found beside the picture by its part
     std::shared_ptr<const trace::IndirectLight> indirect_;  ///< null: the scene has none
     std::unique_ptr<StateFile> state_;
     std::optional<PartialPicture> partial_;

@@ -4,6 +4,7 @@
 #include "render/app/run/stage_options.h"
 #include "render/app/run/memory.h"
 #include "render/app/output/output_name.h"
+#include "render/app/parts/prepared_file.h"
 #include "render/app/run/shell_commands.h"
 #include "render/plan/sampling/path_scene.h"
 #include "render/picture/cut.h"
@@ -128,11 +129,43 @@ bool PictureRun::find_indirect_light()
     trace::RenderOptions options = render_options();
     if (settings_.radiosity_from_file) options.radiosity_from = settings_.radiosity_file;
     if (settings_.radiosity_to_file) options.radiosity_to = settings_.radiosity_file;
+    options.prepared = prepared_ ? &*prepared_ : nullptr;
     options.pass = [this](std::string_view name) { task_.run.reporter.pass(std::string(name)); };
     indirect_ = trace::run_passes(task_.compiled, options);
     if (indirect_) task_.run.reporter.pass("picture");
     times_.finish("trace");
     return !cancelled();
+}
+
+/// What --prepare has left for a part, if it is of this picture.
+void PictureRun::find_prepared()
+{
+    if (settings_.shards == 0) return;
+    bool other = false;
+    const std::string path = prepared_path(settings_, task_.path);
+    prepared_ = read_prepared(path, task_.file.fingerprint, other);
+    if (other) task_.run.reporter.note(path + " is of another picture or damaged: the part does without");
+}
+
+/// Empty: cancelled.
+std::vector<double> PictureRun::coarse_costs()
+{
+    trace::RenderOptions options = render_options();
+    options.progress = {};
+    options.indirect = indirect_.get();
+    return trace::coarse_costs(task_.compiled, options);
+}
+
+/// Leaves what the parts need of the whole. Returns the exit status.
+int PictureRun::prepare()
+{
+    std::vector<double> costs = coarse_costs();
+    if (costs.empty()) return give_up();
+    const std::string path = prepared_path(settings_, task_.path);
+    write_prepared(path, task_.file.fingerprint, {indirect_.get(), std::move(costs)});
+    task_.run.reporter.note("prepared: " + path);
+    task_.run.reporter.rendered(times_, statistics_);
+    return kSuccess;
 }
 
 /// The part that --shard asks for. False: cancelled.
@@ -145,11 +178,9 @@ bool PictureRun::choose_blocks()
             "the others are empty");
         if (settings_.shard > 1) last_ = 0;
     } else {
-        trace::RenderOptions options = render_options();
-        options.progress = {};
-        options.indirect = indirect_.get();
-        const std::vector<std::size_t> cut = trace::cut_by_cost(task_.compiled, options, settings_.shards);
-        if (cut.empty()) return false;
+        const std::vector<double> costs = prepared_ ? prepared_->costs : coarse_costs();
+        if (costs.empty()) return false;
+        const std::vector<std::size_t> cut = trace::cut_by_cost(blocks_, costs, settings_.shards);
         first_ = cut[static_cast<std::size_t>(settings_.shard) - 1];
         last_ = cut[static_cast<std::size_t>(settings_.shard)];
     }
@@ -297,7 +328,10 @@ int PictureRun::render()
     if (settings_.paths && !plan::has_light(task_.compiled))
         task_.run.reporter.note("nothing in the scene gives light: no light source, no sky or background, no finish "
                                 "with emission; the picture is black");
-    if (!find_indirect_light() || !choose_blocks() || !trace_blocks() || cancelled()) return give_up();
+    find_prepared();
+    if (!find_indirect_light()) return give_up();
+    if (settings_.prepare) return prepare();
+    if (!choose_blocks() || !trace_blocks() || cancelled()) return give_up();
     tell_far();
     if (part_) {
         if (!finish_part()) return give_up();

@@ -101,7 +101,9 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
 void refuse_part(const Settings& settings)
 {
     if (!settings.output_to_file || to_standard_output(settings) || to_standard_error(settings))
-        throw OptionError("--shard writes a part's file: it goes with a picture that has a name");
+        throw OptionError("--shard and --prepare write files beside a picture: they go with one that has a name");
+    if (settings.shards > 0 && settings.prepare)
+        throw OptionError("--prepare comes before the parts: it does not go with --shard");
     if (plan_options(settings).grain_stream)
         throw OptionError("--faithful with one thread draws its random numbers from block to block, as POV-Ray does: a "
                           "part would have others");
@@ -123,7 +125,7 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
         throw OptionError("--denoise is for pictures of the path tracer: it goes with --integrator=path");
     if (settings.greyscale && !image::stores_greyscale(settings.file_type))
         throw OptionError("this output file type stores no greyscale: use +FN or +FP");
-    if (settings.shards > 0) refuse_part(settings);
+    if (settings.shards > 0 || settings.prepare) refuse_part(settings);
     window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);

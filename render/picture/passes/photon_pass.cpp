@@ -4,6 +4,7 @@
 #include "render/picture/workers.h"
 #include "render/picture/passes/photon_aim.h"
 #include "render/picture/passes/photon_file.h"
+#include "render/picture/passes/prepared.h"
 #include "render/kernel/photon/photon_tracer.h"
 
 #include <fmt/format.h>
@@ -228,7 +229,10 @@ bool find_photons(const plan::CompiledScene& scene, const RenderOptions& options
 {
     const scene::PhotonSettings& settings = scene.photons->settings;
     if (options.pass) options.pass("photons");
-    if (!settings.load_file.empty()) {
+    if (options.prepared != nullptr) {
+        out.photons.take(options.prepared->photons.surface);
+        out.media_photons.take(options.prepared->photons.media);
+    } else if (!settings.load_file.empty()) {
         PhotonFile file;
         try {
             file = read_photon_file(settings.load_file);
@@ -243,7 +247,7 @@ bool find_photons(const plan::CompiledScene& scene, const RenderOptions& options
         out.photons.build(std::move(shooter.surface));
         out.media_photons.build(std::move(shooter.media));
     }
-    if (!settings.save_file.empty()) {
+    if (!settings.save_file.empty() && options.prepared == nullptr) {
         try {
             write_photon_file(settings.save_file, out.photons.photons(), out.media_photons.photons());
         } catch (const std::runtime_error& error) {

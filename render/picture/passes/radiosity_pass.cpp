@@ -3,6 +3,7 @@
 #include "render/kernel/gather/indirect_light.h"
 #include "render/kernel/kernel.h"
 #include "render/picture/passes/pass_rays.h"
+#include "render/picture/passes/prepared.h"
 #include "render/picture/passes/sample_file.h"
 #include "render/picture/workers.h"
 #include "numbers/random.h"
@@ -154,6 +155,10 @@ bool fill(const plan::CompiledScene& scene, const RenderOptions& options, const 
           IndirectLight& light)
 {
     light.radiosity = std::make_unique<Field>(scene);
+    if (options.prepared != nullptr) {
+        for (const Found& found : options.prepared->samples) light.radiosity->add(found);
+        return true;
+    }
     if (options.pass) options.pass("radiosity pretrace");
     if (!options.radiosity_from.empty())
         for (const Found& found : read_samples(options.radiosity_from))
