@@ -9,12 +9,6 @@
 namespace texture {
 namespace {
 
-/// Blend of each point, its parts apart: places in the map, and the share of the upper one.
-struct BlendPoints {
-    alignas(64) std::array<std::int32_t, kMostPoints> lower, upper;
-    Values share;
-};
-
 /// blend_at() for rising keys: as many lie below a value as there are steps up to its place.
 void blend_points(const float* keys, std::uint32_t entries, const Values& values, std::size_t count, BlendPoints& out)
 {
@@ -36,13 +30,20 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
         const auto beyond = v >= last_key, alone = beyond | (below == zero) | (high == v);
         xsimd::select(alone, zero, (v - low) / (high - low)).store_aligned(out.share.data() + i);
         const Double at = xsimd::select(beyond, last, below);
-        csg::lanes::store_whole(at, out.upper.data() + i);
-        csg::lanes::store_whole(xsimd::select(alone, at, at - one), out.lower.data() + i);
+        const auto store = [i](const Double& of, auto& to) {
+            csg::lanes::store_whole(of, reinterpret_cast<std::int32_t*>(to.data() + i));
+        };
+        store(at, out.upper);
+        store(xsimd::select(alone, at, at - one), out.lower);
     }
 }
 
 /// Entries of maps that are looked up in registers.
 constexpr std::uint32_t kMostEntries = 8;
+bool in_registers(const float* keys, std::uint32_t entries)
+{
+    return entries <= kMostEntries && std::is_sorted(keys, keys + entries);
+}
 
 /// One component of the colours: mix() of the two entries.
 #if defined(__AVX2__)
@@ -109,13 +110,26 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
     }
 }
 
+void map_blends(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
+                std::size_t count, BlendPoints& out)
+{
+    const float* keys = set.keys.data() + first;
+    if (in_registers(keys, entries)) return blend_points(keys, entries, values, count, out);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Blend blend = blend_at(set, first, entries, values[i]);
+        out.lower[i] = blend.lower - first;
+        out.upper[i] = blend.upper - first;
+        out.share[i] = blend.share;
+    }
+}
+
 void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
                       const Points& points, ColorPoints& out)
 {
     const std::size_t count = points.size();
     const float* keys = set.keys.data() + first;
     const scene::Color* colors = set.colors.data() + first;
-    if (entries > kMostEntries || !std::is_sorted(keys, keys + entries)) {
+    if (!in_registers(keys, entries)) {
         for (std::size_t i = 0; i < count; ++i) {
             const Blend b = blend_at(set, first, entries, values[i]);
             out.set(i,
