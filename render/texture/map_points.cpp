@@ -10,12 +10,6 @@
 namespace texture {
 namespace {
 
-/// Blend of each point, its parts apart: places in the map, and the share of the upper one.
-struct BlendPoints {
-    alignas(64) std::array<std::int32_t, kMostPoints> lower, upper;
-    Values share;
-};
-
 /// Points whose places are looked up together.
 constexpr std::size_t kTogether = 8;
 std::size_t in_eights(std::size_t count) { return (count + kTogether - 1) / kTogether * kTogether; }
@@ -33,7 +27,7 @@ public:
 
 #if defined(__AVX2__)
     /// Those of eight places.
-    __m256 at(const std::int32_t* places) const
+    __m256 at(const std::uint32_t* places) const
     {
         const __m256i where = _mm256_load_si256(reinterpret_cast<const __m256i*>(places));
         if (!is_short())
@@ -47,7 +41,7 @@ public:
         return out;
     }
 #else
-    float at(std::int32_t place) const { return first_[place * stride_]; }
+    float at(std::uint32_t place) const { return first_[place * static_cast<std::uint32_t>(stride_)]; }
 #endif
 
 private:
@@ -59,8 +53,13 @@ private:
     alignas(32) std::array<float, kShort> numbers_{};
 };
 
+void store_places(const Double& of, std::uint32_t* to)
+{
+    csg::lanes::store_whole(of, reinterpret_cast<std::int32_t*>(to));
+}
+
 /// The numbers at places, of as many points as are in_eights().
-void look_up(const Table& table, const std::array<std::int32_t, kMostPoints>& places, std::size_t count, Values& out)
+void look_up(const Table& table, const std::array<std::uint32_t, kMostPoints>& places, std::size_t count, Values& out)
 {
 #if defined(__AVX2__)
     for (std::size_t i = 0; i < count; i += kTogether) {
@@ -90,11 +89,11 @@ void count_below(const float* keys, std::uint32_t entries, const Table& table, c
     }
     std::fill_n(out.data(), count, 0.0);
     Values found;
-    alignas(64) std::array<std::int32_t, kMostPoints> last;
+    alignas(64) std::array<std::uint32_t, kMostPoints> last;
     for (std::uint32_t step = std::bit_floor(entries); step > 0; step /= 2) {
         const Double by(static_cast<double>(step));
         for (std::size_t i = 0; i < count; i += kLanes)
-            csg::lanes::store_whole(xsimd::min(get(out, i) + by, all) - one, last.data() + i);
+            store_places(xsimd::min(get(out, i) + by, all) - one, last.data() + i);
         look_up(table, last, count, found);
         for (std::size_t i = 0; i < count; i += kLanes) {
             const Double below = get(out, i), more = below + by;
@@ -116,8 +115,8 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Double at = xsimd::select(get(values, i) >= last_key, last, get(place, i));
         at.store_aligned(place.data() + i);
-        csg::lanes::store_whole(at, out.upper.data() + i);
-        csg::lanes::store_whole(xsimd::max(at - one, zero), out.lower.data() + i);
+        store_places(at, out.upper.data() + i);
+        store_places(xsimd::max(at - one, zero), out.lower.data() + i);
     }
     look_up(table, out.lower, count, low);
     look_up(table, out.upper, count, high);
@@ -125,7 +124,7 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
         const Double v = get(values, i), at = get(place, i), from = get(low, i), to = get(high, i);
         const auto between = (v > first_key) & (v < last_key) & (v != to);
         xsimd::select(between, (v - from) / (to - from), zero).store_aligned(out.share.data() + i);
-        csg::lanes::store_whole(xsimd::select(between, at - one, at), out.lower.data() + i);
+        store_places(xsimd::select(between, at - one, at), out.lower.data() + i);
     }
 }
 
@@ -184,6 +183,19 @@ void waved_points(const Pattern& pattern, std::size_t count, Values& values)
             v = pattern.poly_exponent == 2.0 ? v * v : numbers::pow(v, Double(pattern.poly_exponent));
         }
         v.store_aligned(values.data() + i);
+    }
+}
+
+void map_blends(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
+                std::size_t count, BlendPoints& out)
+{
+    const float* keys = set.keys.data() + first;
+    if (std::is_sorted(keys, keys + entries)) return blend_points(keys, entries, values, in_eights(count), out);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Blend blend = blend_at(set, first, entries, values[i]);
+        out.lower[i] = blend.lower - first;
+        out.upper[i] = blend.upper - first;
+        out.share[i] = blend.share;
     }
 }
 

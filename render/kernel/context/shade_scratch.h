@@ -77,6 +77,7 @@ struct RowScratch {
     std::vector<RowPage> pages;         ///< rows that go through the lights together
     std::vector<LightSample> samples;   ///< by hit and light, of hits with rows that do not
     std::vector<ClosingNode> closing;   ///< of the tile at hand
+    std::vector<HitMask> laid;          ///< by page: hits of DirectBatch::lay()
     texture::ColorPoints top_pigments;  ///< of hits of one layer that rays go on from
     TileColors sums;                    ///< of all rows, when the lights are through
     std::array<Bend, csg::kTileRays * plan::kPrefetchedLayers> bends;

@@ -24,6 +24,7 @@ public:
     {
         rows_.fill(0);
         scratch_.rows.closing.clear();
+        scratch_.rows.laid.clear();
     }
 
     bool holds(std::size_t k) const { return has(holds_, k); }  ///< whether hit k has rows
@@ -78,13 +79,13 @@ public:
         }
     }
 
-    /// The first page from which on so many have no rows of these hits.
+    /// The first page from which on so many have no rows of these hits, all of whose rows are laid.
     std::size_t room(HitMask hits, std::size_t pages) const
     {
+        const std::vector<HitMask>& laid = scratch_.rows.laid;
         for (std::size_t first = 0;; ++first) {
             HitMask taken = 0;
-            for (std::size_t d = first; d < std::min(first + pages, depths_); ++d)
-                taken |= scratch_.rows.pages[d].holds;
+            for (std::size_t d = first; d < std::min(first + pages, laid.size()); ++d) taken |= laid[d];
             if ((taken & hits) == 0) return first;
         }
     }
@@ -98,6 +99,8 @@ public:
         alone_ |= hits;
         if (set_.finishes[layer.finish].lit()) lit_ |= hits;
         RowPage& at = add_layer(d, hits, layer);
+        if (d == scratch_.rows.laid.size()) scratch_.rows.laid.push_back(0);
+        scratch_.rows.laid[d] |= hits;
         for (TileFloats TileColors::*channel : kChannels)
             each_part(count_, hits, [&](std::size_t i, FloatMask here) {
                 here.chosen(part(filter.*channel, i), part(at.filter.*channel, i))

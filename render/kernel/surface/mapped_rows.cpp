@@ -3,6 +3,8 @@
 #include "render/kernel/surface/prefetch_pigments.h"
 #include "render/kernel/surface/texture_maps.h"
 
+#include <algorithm>
+
 /// Rows of light of a tile's texture maps, and the mixtures of their colours, all hits at once.
 namespace trace {
 namespace {
@@ -81,8 +83,8 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
     if (texture.kind == Texture::Kind::Layers) return mix_layers(context, place, texture.count, count, out);
     const std::uint32_t* entries = entries_.data() + place.entries;
     TileColors found, upper;
-    out.fill(0.0f);
     if (texture.kind == Texture::Kind::Average) {
+        out.fill(0.0f);
         float weights = 0.0f;
         for (std::uint32_t i = 0; i < texture.count; ++i) {
             const float weight = set.keys[texture.first + i];
@@ -100,22 +102,26 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
             });
         return;
     }
+    const auto shown = [](std::uint32_t entry) { return entry != texture::kNone; };
+    const std::uint32_t* const end = entries + texture.count;
+    const std::uint32_t* const only = std::find_if(entries, end, shown);
+    if (std::find_if(only + 1, end, shown) == end) return mix(context, *only, count, out);
     const Map& map = maps_[place.first];
     LaneBlends blends;
     std::size_t from = 0;
     for_each_hit(place.hits, [&](std::size_t k) {
-        const texture::Blend& blend = map.blends[from++];
-        blends.lower[k] = blend.lower;
-        blends.upper[k] = blend.upper;
-        blends.share[k] = blend.share;
-        if (blend.lower != blend.upper) blends.blended |= HitMask{1} << k;
+        blends.lower[k] = map.blends.lower[from];
+        blends.upper[k] = map.blends.upper[from];
+        blends.share[k] = map.blends.share[from++];
+        if (blends.lower[k] != blends.upper[k]) blends.blended |= HitMask{1} << k;
     });
+    out.fill(0.0f);
     upper.fill(0.0f);
     for (std::uint32_t i = 0; i < texture.count; ++i) {
         if (entries[i] == texture::kNone) continue;
         mix(context, entries[i], count, found);
-        take_colors(csg::lanes::equal(blends.lower, texture.first + i), count, found, out);
-        take_colors(csg::lanes::equal(blends.upper, texture.first + i), count, found, upper);
+        take_colors(csg::lanes::equal(blends.lower, i), count, found, out);
+        take_colors(csg::lanes::equal(blends.upper, i), count, found, upper);
     }
     mix_entries(blends, count, upper, out);
 }

@@ -116,22 +116,21 @@ void TextureMaps::look_up_map(const Context& context, std::size_t at, const Seen
     texture::Values values;
     begin_map(set, at, seen, q);
     pattern_values(set, pattern, q, seen.around, values);
-    auto& blends = maps_[textures_[at].first].blends;
-    for (std::size_t i = 0; i < q.size(); ++i)
-        blends[i] = texture::blend_at(set, texture.first, texture.count, values[i]);
+    texture::BlendPoints& blends = maps_[textures_[at].first].blends;
+    map_blends(set, texture.first, texture.count, values, q.size(), blends);
     const Seen within{q, seen.around, normals, bent_within(context, texture, seen, normals), true};
     const HitMask all = first_hits(q.count);
-    texture::each_entry(blends, q.size(), [&](std::uint32_t entry, HitMask picked) {
+    texture::each_entry(blends, texture.count, q.size(), [&](std::uint32_t entry, HitMask picked) {
         const HitMask those = deposited(picked, hits);
         std::uint32_t place;
         if (picked == all) {
-            place = look_up(context, set.children[entry], those, within);
+            place = look_up(context, set.children[texture.first + entry], those, within);
         } else {
             const Part part(within, picked);
-            place = look_up(context, set.children[entry], those,
+            place = look_up(context, set.children[texture.first + entry], those,
                             {part.points, part.around, part.normals, within.map, true});
         }
-        entries_[textures_[at].entries + entry - texture.first] = place;
+        entries_[textures_[at].entries + entry] = place;
     });
 }
 
@@ -211,7 +210,10 @@ void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, s
         shade(context, batch, hit, entries_[place.entries + entry - texture.first], map.points, i, slot);
     };
     if (average) average_textures(context, texture, out, shade_entry);
-    else mix_textures(context, map.blends[i], out, shade_entry);
+    else
+        mix_textures(context,
+                     {texture.first + map.blends.lower[i], texture.first + map.blends.upper[i], map.blends.share[i]},
+                     out, shade_entry);
 }
 
 }  // namespace trace

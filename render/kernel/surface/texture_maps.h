@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/texture/evaluate_points.h"
+#include "render/texture/map_points.h"
 #include "render/kernel/tile/hit_mask.h"
 #include "render/kernel/tile/layer_points.h"
 #include "render/kernel/tile/row_page.h"
@@ -55,7 +55,7 @@ private:
     };
     struct Map {
         texture::Points points;  ///< warped
-        std::array<texture::Blend, csg::kTileRays> blends;
+        texture::BlendPoints blends;
     };
     /// Hits as patterns see them, in order.
     struct Seen {

@@ -302,26 +302,25 @@ struct Group {
     }
 };
 
-using Blends = std::array<Blend, kMostPoints>;
-
 /// Each child for the points that need it, once; then the mixture.
-void mapped_colors(const TextureSet& set, const Blends& blends, const Points& p, const Around& around, ColorPoints& out)
+void mapped_colors(const TextureSet& set, const Pigment& pigment, const BlendPoints& blends, const Points& p,
+                   const Around& around, ColorPoints& out)
 {
     ColorPoints upper, found;
     Group group;
-    each_entry(blends, p.size(), [&](std::uint32_t entry, std::uint64_t which) {
+    each_entry(blends, pigment.count, p.size(), [&](std::uint32_t entry, std::uint64_t which) {
         group.points.count = 0;
         group.points.density = p.density;
         for (; which != 0; which &= which - 1) group.add(p, around, static_cast<std::size_t>(std::countr_zero(which)));
         group.points.pad();
-        pigment_colors(set, set.children[entry], group.points, group.around, found);
+        pigment_colors(set, set.children[pigment.first + entry], group.points, group.around, found);
         for (std::size_t k = 0; k < group.points.size(); ++k) {
             const std::size_t i = group.owner[k];
-            (blends[i].lower == entry ? out : upper).set(i, found.at(k));
+            (blends.lower[i] == entry ? out : upper).set(i, found.at(k));
         }
     });
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (blends[i].lower != blends[i].upper) out.set(i, mix(out.at(i), upper.at(i), blends[i].share));
+        if (blends.lower[i] != blends.upper[i]) out.set(i, mix(out.at(i), upper.at(i), blends.share[i]));
 }
 
 bool all_equal(const Values& values, std::size_t count)
@@ -386,9 +385,9 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
         return out.fill(mapped(set, blend_at(set, pigment.first, pigment.count, waved(pattern, values[0]))));
     waved_points(pattern, q.size(), values);
     if (color_map) return color_map_points(set, pigment.first, pigment.count, values, q, out);
-    Blends blends;
-    for (std::size_t i = 0; i < p.size(); ++i) blends[i] = blend_at(set, pigment.first, pigment.count, values[i]);
-    mapped_colors(set, blends, q, around, out);
+    BlendPoints blends;
+    map_blends(set, pigment.first, pigment.count, values, p.size(), blends);
+    mapped_colors(set, pigment, blends, q, around, out);
 }
 
 }  // namespace texture
