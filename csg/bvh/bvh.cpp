@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 
 namespace csg {
 namespace {
@@ -17,6 +18,9 @@ constexpr double kNodeCost = 0.5;
 /// Deeper cuts halve the count: 40 levels and the 28 that halving can add stay within kBvhStack.
 constexpr int kFreeLevels = 40;
 static_assert((kFreeLevels + 28) * 7 < kBvhStack);
+
+/// Things of which a thread divides as many in 10 ms or more.
+constexpr std::uint32_t kWorthAThread = 30000;
 
 struct BinaryNode {
     Aabb bounds;
@@ -66,16 +70,29 @@ class Builder {
 public:
     explicit Builder(std::vector<BvhInput>& inputs) : inputs_(inputs) {}
 
-    std::vector<BinaryNode> build()
+    std::vector<BinaryNode> build(int threads)
     {
-        nodes_.reserve(2 * inputs_.size());
-        nodes_.emplace_back();
-        divide(0, 0, static_cast<std::uint32_t>(inputs_.size()), 0);
-        return std::move(nodes_);
+        return branch(0, static_cast<std::uint32_t>(inputs_.size()), 0, threads);
     }
 
 private:
-    void divide(std::uint32_t at, std::uint32_t begin, std::uint32_t end, int level)
+    std::vector<BinaryNode> branch(std::uint32_t begin, std::uint32_t end, int level, int threads)
+    {
+        nodes_.reserve(2 * static_cast<std::size_t>(end - begin));
+        add(begin, end, level, threads);
+        return std::move(nodes_);
+    }
+
+    /// A node and all below it; its place.
+    std::uint32_t add(std::uint32_t begin, std::uint32_t end, int level, int threads)
+    {
+        const auto at = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        divide(at, begin, end, level, threads);
+        return at;
+    }
+
+    void divide(std::uint32_t at, std::uint32_t begin, std::uint32_t end, int level, int threads)
     {
         Aabb bounds, centers;
         bool one_kind = true;
@@ -95,13 +112,29 @@ private:
             return;
         }
         const std::uint32_t middle = level < kFreeLevels ? partition(begin, end, split, centers) : begin + count / 2;
-        const auto left = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        nodes_.emplace_back();
+        std::future<std::vector<BinaryNode>> other;
+        if (threads > 1 && count >= kWorthAThread)
+            other = std::async(std::launch::async, [&, half = threads / 2] {
+                return Builder(inputs_).branch(middle, end, level + 1, half);
+            });
+        const std::uint32_t left = add(begin, middle, level + 1, other.valid() ? threads - threads / 2 : 1);
+        const std::uint32_t right = other.valid() ? append(other.get()) : add(middle, end, level + 1, 1);
         nodes_[at].left = left;
-        nodes_[at].right = left + 1;
-        divide(left, begin, middle, level + 1);
-        divide(left + 1, middle, end, level + 1);
+        nodes_[at].right = right;
+    }
+
+    /// What another thread made; the place of its first node.
+    std::uint32_t append(const std::vector<BinaryNode>& branch)
+    {
+        const auto first = static_cast<std::uint32_t>(nodes_.size());
+        for (BinaryNode node : branch) {
+            if (!node.leaf()) {
+                node.left += first;
+                node.right += first;
+            }
+            nodes_.push_back(node);
+        }
+        return first;
     }
 
     static glm::dvec3 center(const BvhInput& input) { return 0.5 * (input.bounds.lower + input.bounds.upper); }
@@ -307,11 +340,11 @@ bool fits_hierarchy(const Aabb& box)
            glm::all(glm::lessThan(glm::abs(box.upper), glm::dvec3(kWidest)));
 }
 
-Bvh build_bvh(std::vector<BvhInput> inputs)
+Bvh build_bvh(std::vector<BvhInput> inputs, int threads)
 {
     Bvh out;
     if (inputs.empty()) return out;
-    const std::vector<BinaryNode> binary = Builder(inputs).build();
+    const std::vector<BinaryNode> binary = Builder(inputs).build(threads);
     out.bounds = binary[0].bounds;
     Collapser(inputs, binary, out).run();
     return out;

@@ -73,8 +73,8 @@ struct Bvh {
 /// Whether a box is one of those that build_bvh() takes: not too wide for single precision.
 bool fits_hierarchy(const Aabb& box);
 
-/// Builds by binned surface area heuristic. Deterministic.
-Bvh build_bvh(std::vector<BvhInput> inputs);
+/// Builds by binned surface area heuristic, many inputs on several threads. The same whatever the number of threads.
+Bvh build_bvh(std::vector<BvhInput> inputs, int threads = 1);
 
 /// Places a traversal may have to remember: 7 per level.
 inline constexpr int kBvhStack = 512;

@@ -146,7 +146,7 @@ void WorldData::guard_last(BoundingGuard guard)
     guards.push_back(std::move(guard));
 }
 
-void WorldData::finish()
+void WorldData::finish(int threads)
 {
     std::vector<BvhInput> inputs;
     for (std::uint32_t i = 0; i < items.size(); ++i) {
@@ -171,7 +171,7 @@ void WorldData::finish()
         if (fits_hierarchy(box)) inputs.push_back({box, leaf_kind(item), i, item.visible, quick(item)});
         else unbounded.push_back(i);
     }
-    bvh = build_bvh(std::move(inputs));
+    bvh = build_bvh(std::move(inputs), threads);
     fill_spheres(*this);
 }
 

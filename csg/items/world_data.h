@@ -96,8 +96,8 @@ struct WorldData {
     void test_box_of_last(const Aabb& box);
     /// Puts a guard before the item that was added last.
     void guard_last(BoundingGuard guard);
-    /// Builds the hierarchy. surface_opaque must be set.
-    void finish();
+    /// Builds the hierarchy, of many items on so many threads. surface_opaque must be set.
+    void finish(int threads = 1);
 };
 
 /// A box around what the item draws.

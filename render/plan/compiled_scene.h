@@ -133,10 +133,11 @@ struct CompiledScene {
     csg::World world() const { return csg::World(geometry); }
 };
 
-/// Compiles a description. Throws std::runtime_error for a scene that cannot be compiled.
-CompiledScene compile(const scene::Description& description, const Options& options);
+/// Compiles a description, large ones on so many threads; the same whatever their number. Throws std::runtime_error for
+/// a scene that cannot be compiled.
+CompiledScene compile(const scene::Description& description, const Options& options, int threads = 1);
 /// The same; the objects are dropped as soon as they are planned, before the hierarchy wants their memory.
-CompiledScene compile(scene::Description&& description, const Options& options);
+CompiledScene compile(scene::Description&& description, const Options& options, int threads = 1);
 
 /// --explain: the decisions, one a line.
 std::string explain(const CompiledScene& scene);

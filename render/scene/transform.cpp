@@ -11,13 +11,9 @@ namespace scene {
 
 void Pattern::transform(const csg::Transform& t)
 {
-    if (!warps.empty()) {
-        if (auto* front = std::get_if<csg::Transform>(&warps.front())) {
-            *front = t * *front;
-            return;
-        }
-    }
-    warps.insert(warps.begin(), t);
+    auto* const before = warps.empty() ? nullptr : std::get_if<csg::Transform>(&warps.back());
+    if (before != nullptr) *before = t * *before;
+    else warps.push_back(t);
 }
 
 void Pigment::transform(const csg::Transform& t)

@@ -22,7 +22,7 @@ glm::dvec3 in_pattern(const scene::Object& o, const glm::dvec3& p)
 {
     const auto& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(layers(o.texture).front().pigment.kind);
     if (patterned.pattern.warps.empty()) return p;
-    return std::get<csg::Transform>(patterned.pattern.warps.front()).inverse_point(p);
+    return std::get<csg::Transform>(patterned.pattern.warps.back()).inverse_point(p);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ TEST_CASE("the last transformation is undone first", "[parser][texture]")
     CHECK(in_pattern(only_object(d), glm::dvec3(3, 0, 0)).x == Approx(1.0));
 }
 
-TEST_CASE("classic turbulence stands apart, warps in order of evaluation", "[parser][texture]")
+TEST_CASE("classic turbulence stands apart, warps in the order in which they are written", "[parser][texture]")
 {
     const scene::Description d =
         parsed("sphere { 0, 1 pigment { granite turbulence 0.5 scale 2 warp { repeat x } translate y rotate z } }");

@@ -169,6 +169,10 @@ def placed_nests(n):
             joined(n, lambda i: f"sphere {{ 0, 0.4 pigment {{ P }} rotate y*{i} translate <{i},0,0> }}"))
 
 
+def warps(n):
+    return "sphere { 0, 1 pigment { bozo" + joined(n, lambda i: f" warp {{ repeat x*{i + 2} }} scale 1.01") + " } }"
+
+
 def media(n):
     return "sphere { 0, 1 hollow pigment { rgbt 1 } interior {" + joined(n, lambda i: f"media {{ emission {i}/{n} density {{ bozo scale {i + 1} }} }}") + "} }"
 
@@ -181,7 +185,7 @@ KINDS = {  # how many make it dear enough to be counted
     blob: 2500, prism: 1000, lathe: 400, sor: 400, polygon: 1000, sphere_sweep: 400, operands: 1000, cut: 100, statements: 500, moved: 1200,
     shared: 300, copies: 1000, chain: 1000, groups: 60, color_map: 60, mesh2: 2000, triangles: 1000, textured_triangles: 300, spline: 1000,
     asked_spline: 1000, texts: 60, names: 2000, includes: 60, lights: 60, clips: 60, arrays: 5000,
-    own_textures: 300, layers: 300, texture_map: 60, nested_pigments: 300, placed: 800, placed_nests: 300, media: 100, interiors: 200}
+    own_textures: 300, layers: 300, texture_map: 60, nested_pigments: 300, placed: 800, placed_nests: 300, warps: 1000, media: 100, interiors: 200}
 
 
 def instructions(whittle, text):

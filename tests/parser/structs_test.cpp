@@ -130,7 +130,7 @@ TEST_CASE("a transformation moves the densities that stand before it", "[parser]
 {
     const auto first_warp = [](const scene::Pigment& density) {
         const auto& warps = std::get<scene::Shared<scene::PatternedPigment>>(density.kind)->pattern.warps;
-        return warps.empty() ? glm::dvec3(0) : std::get<csg::Transform>(warps.front()).offset;
+        return warps.empty() ? glm::dvec3(0) : std::get<csg::Transform>(warps.back()).offset;
     };
     const scene::Media media =
         of("sphere { 0, 1 } media { density { spherical } translate x density { spherical } translate y }")

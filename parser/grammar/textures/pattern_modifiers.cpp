@@ -208,7 +208,7 @@ struct warp : item<Kind::Warp, reads<warp_block>> {
         else if (!Warps::match(s.build, inner))
             s.build.fail_unknown("a kind of warp (turbulence, repeat, black_hole, planar, ...)");
         s.build.close_block("warp", opened);
-        s.pattern.warps.insert(s.pattern.warps.begin(), *inner.step);
+        s.pattern.warps.push_back(*inner.step);
     }
 };
 

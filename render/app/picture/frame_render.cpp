@@ -55,7 +55,7 @@ bool print_stage(Run& run, const parser::Result& parsed)
     if (settings.dump == Dump::Scene) fmt::print("{}", scene::dump(description));
     if (settings.dump != Dump::Plan && !settings.explain && settings.heat_file.empty())
         return settings.dump == Dump::Scene || settings.parse_only;
-    const plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
+    const plan::CompiledScene compiled = plan::compile(description, plan_options(settings), threads_of(settings));
     if (settings.dump == Dump::Plan) fmt::print("{}", plan::dump(compiled));
     if (settings.explain) fmt::print(stderr, "{}", plan::explain(compiled));
     report_cost(run, description, compiled);
@@ -132,7 +132,8 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
     try {
         parser::Result parsed = run.input ? parser::parse_text(*run.input, "stdin", options)
                                           : parser::parse_file(find_scene(settings), options);
-        return std::make_unique<plan::CompiledScene>(plan::compile(std::move(parsed.scene), plan_options(settings)));
+        return std::make_unique<plan::CompiledScene>(
+            plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings)));
     } catch (const parser::Cancelled&) {
         throw AbortedRun();
     }
@@ -200,7 +201,8 @@ int render_frame(Run& run, const Frame& frame)
                                       path));
     const LayersTask layers = layers_task(run, parsed.scene, path);
     for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
-    const plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings));
+    const plan::CompiledScene compiled =
+        plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings));
     times.finish("plan");
     const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
     return render_picture({run, last_resort, compiled, file, path, moment, moments(settings), layers}, times);

@@ -3,6 +3,7 @@
 #include "render/app/base/library_path.h"
 #include "render/app/base/text.h"
 #include "render/app/frames/window.h"
+#include "render/picture/workers.h"
 
 #include <algorithm>
 
@@ -36,6 +37,8 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     options.restrict_read = settings.restrict_read;
     return options;
 }
+
+int threads_of(const Settings& settings) { return trace::threads_of(settings.threads); }
 
 plan::Options plan_options(const Settings& settings)
 {

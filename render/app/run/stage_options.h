@@ -12,6 +12,7 @@ namespace app {
 /// What the settings mean for each stage.
 parser::Options parser_options(const Settings& settings, const FrameList& list, const Frame& frame);
 plan::Options plan_options(const Settings& settings);
+int threads_of(const Settings& settings);
 image::FileSettings file_settings(const Settings& settings, const scene::Description& description);
 trace::Isa isa_of(const Settings& settings);
 

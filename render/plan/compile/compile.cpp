@@ -72,7 +72,7 @@ void clear_air(CompiledScene& out)
 
 /// `planned` is called when no object is asked for any more.
 template <class Planned>
-CompiledScene compile_all(const scene::Description& description, const Options& options, Planned&& planned)
+CompiledScene compile_all(const scene::Description& description, const Options& options, int threads, Planned&& planned)
 {
     CompiledScene out;
     out.options = options;
@@ -101,7 +101,7 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     std::vector<std::shared_ptr<const scene::Media>> atmosphere;
     for (const scene::Media& one : description.media) atmosphere.push_back(std::make_shared<const scene::Media>(one));
     out.atmosphere = media.list(atmosphere);
-    geometry.finish();
+    geometry.finish(threads);
     out.subsurface = compile_subsurface(description, options.quality, out.interiors);
     clear_air(out);
     if (media.dropped() != 0)
@@ -120,16 +120,16 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
 
 }  // namespace
 
-CompiledScene compile(const scene::Description& description, const Options& options)
+CompiledScene compile(const scene::Description& description, const Options& options, int threads)
 {
-    if (options.paths) return compile(scene::Description(description), options);
-    return compile_all(description, options, [] {});
+    if (options.paths) return compile(scene::Description(description), options, threads);
+    return compile_all(description, options, threads, [] {});
 }
 
-CompiledScene compile(scene::Description&& description, const Options& options)
+CompiledScene compile(scene::Description&& description, const Options& options, int threads)
 {
     if (options.paths) prepare_for_paths(description);
-    return compile_all(description, options, [&] { description.objects.clear(); });
+    return compile_all(description, options, threads, [&] { description.objects.clear(); });
 }
 
 std::string explain(const CompiledScene& scene)

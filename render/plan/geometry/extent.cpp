@@ -299,10 +299,21 @@ csg::Aabb extent(const scene::Object& object)
 
 csg::Aabb described_extent(const scene::Object& object) { return extent(object); }
 
-csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent, const scene::BoxGrowth& growth)
+csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth)
 {
-    if (!parent.identity()) object.transform_by(parent, growth);
-    return described_extent(object);
+    if (parent.identity()) return described_extent(object);
+    // What it is painted and filled with has no part in its box, and would be moved with it.
+    scene::Object bare;
+    bare.shape = object.shape;
+    bare.transform = object.transform;
+    bare.inverse = object.inverse;
+    if (!object.details->clipped_by.empty() || !object.details->bounded_by.empty()) {
+        scene::ObjectDetails& details = bare.details.edit();
+        details.clipped_by = object.details->clipped_by;
+        details.bounded_by = object.details->bounded_by;
+    }
+    bare.transform_by(parent, growth);
+    return described_extent(bare);
 }
 
 }  // namespace plan

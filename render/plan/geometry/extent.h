@@ -9,6 +9,6 @@ namespace plan {
 csg::Aabb described_extent(const scene::Object& object);
 
 /// The same of an object that stands in the space `parent`. `growth`: of boxes turned into the world from there.
-csg::Aabb placed_extent(scene::Object object, const csg::Transform& parent, const scene::BoxGrowth& growth);
+csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
 
 }  // namespace plan

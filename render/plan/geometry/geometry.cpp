@@ -86,7 +86,7 @@ void GeometryCompiler::add(const scene::Object& object)
     ++statement_;
 }
 
-void GeometryCompiler::finish()
+void GeometryCompiler::finish(int threads)
 {
     if (photons_ && !photons_->targets.empty()) out_.photons = photons_;
     if (photons_ && (!photons_->settings.load_file.empty() || !options_.lean.takes(LeanStep::Photons)))
@@ -95,7 +95,7 @@ void GeometryCompiler::finish()
     if (out_.geometry.test_order)
         for (const Surface& s : out_.surfaces) out_.geometry.surface_look.push_back(look_of(s, out_.textures));
     out_.geometry.drop_empty = options_.lean.takes(LeanStep::EmptyObjects);
-    out_.geometry.finish();
+    out_.geometry.finish(threads);
     drop_unseen_lights();
     tell_decisions();
 }
@@ -185,7 +185,7 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
         const OuterBounds outer = outer_bounds_;
         if (bounded) {
             must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
-            if (!outer.nested) outer_bounds_.box = placed_extent(object, above.to_world, above.growth);
+            if (!outer.nested) outer_bounds_.box = plan::placed_extent(object, above.to_world, above.growth);
             outer_bounds_.nested = true;
             Inherited whole_target = own;
             aim_photons(object, whole_target);
@@ -274,9 +274,8 @@ csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& o
         made = csg::Tree::leaf(world_->store.add(solid(object, own), id));
     }
     made.inverse = object.inverse;
-    // Clips stand in the space of the parent.
-    const csg::Transform parent = own.to_world * object.transform->inverted();
-    for (const scene::Object& clip : clips_of(object)) made.clips.push_back(clip_tree(clip, parent));
+    for (const scene::Object& clip : clips_of(object))
+        made.clips.push_back(clip_tree(clip, parent_of(object, own)));  // they stand in the space of the parent
     return made;
 }
 

@@ -38,7 +38,7 @@ public:
     /// A statement of the scene. Lights inside are collected too.
     void add(const scene::Object& object);
     /// After the last object: opacity of surfaces, then the hierarchy.
-    void finish();
+    void finish(int threads);
 
 private:
     /// What comes down from the parents. Textures are in world space already.
@@ -66,13 +66,16 @@ private:
     Inherited within(const scene::Object& operand, const Inherited& whole);
     void add_top(const scene::Object& object, const Inherited& above);
     void add_guard(const scene::Object& object, const Inherited& own);
-    csg::BoundingGuard clip_guard(const scene::Object& object, const Inherited& own, const csg::Transform& parent);
+    csg::BoundingGuard clip_guard(const scene::Object& object, const Inherited& own);
+    /// Of the space that the object stands in, where `own` is its own.
+    static csg::Transform parent_of(const scene::Object& object, const Inherited& own);
+    static csg::Aabb placed_extent(const scene::Object& object, const Inherited& own);
     bool drops_bounds(const scene::Object& object, bool inside_csg) const;
     bool bounding_active() const;
     /// Tells of the item that was added last what it holds without its own clips. `whole`: the item.
     void add_unclipped(csg::Tree whole);
     /// Keeps the item that was added last from holding a start of camera rays outside of POV-Ray's box of it.
-    void limit_starts(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
+    void limit_starts(const scene::Object& object, const Inherited& own);
     void must_meet(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth,
                    csg::BoundingGuard& guard);
     bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);

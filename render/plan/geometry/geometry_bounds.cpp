@@ -102,6 +102,16 @@ csg::Program alone(const csg::WorldItem& item, const csg::SolidStore& store)
 
 }  // namespace
 
+csg::Transform GeometryCompiler::parent_of(const scene::Object& object, const Inherited& own)
+{
+    return own.to_world * object.transform->inverted();
+}
+
+csg::Aabb GeometryCompiler::placed_extent(const scene::Object& object, const Inherited& own)
+{
+    return plan::placed_extent(object, parent_of(object, own), own.parent_growth);
+}
+
 /// Whether an object's bounds are not asked: there are none, they are its clips, or +SU takes the union apart.
 bool GeometryCompiler::drops_bounds(const scene::Object& object, bool inside_csg) const
 {
@@ -140,7 +150,7 @@ void GeometryCompiler::must_meet(const scene::Object& object, const csg::Transfo
         guard.programs.push_back(static_cast<std::uint32_t>(world_->programs.size()));
         world_->programs.push_back(std::move(program));
     }
-    guard.box = guard.box.intersected(placed_extent(object, parent, growth));
+    guard.box = guard.box.intersected(plan::placed_extent(object, parent, growth));
 }
 
 /// An operand of a CSG object, whatever its kind, behind those of its bounds that do not hold it.
@@ -148,7 +158,7 @@ csg::Tree GeometryCompiler::bounded(csg::Tree made, const scene::Object& operand
 {
     if (clipping_ || drops_bounds(operand, true)) return made;
     const csg::Program drawn = csg::build(made, world_->store);
-    const csg::Transform parent = own.to_world * operand.transform->inverted();
+    const csg::Transform parent = parent_of(operand, own);
     for (const scene::Object& bound : operand.details->bounded_by) {
         csg::Tree tree = clip_tree(bound, parent);
         const csg::Program program = csg::build(tree, world_->store);
@@ -160,11 +170,12 @@ csg::Tree GeometryCompiler::bounded(csg::Tree made, const scene::Object& operand
 }
 
 /// The box that clips leave an object, and what a polynomial's clips hold.
-csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, const Inherited& own,
-                                                const csg::Transform& parent)
+csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, const Inherited& own)
 {
     csg::WorldData& world = *world_;
     csg::BoundingGuard guard;
+    csg::Transform parent;
+    if (!object.details->clipped_by.empty()) parent = parent_of(object, own);
     if (std::holds_alternative<scene::Polynomial>(object.shape) && !object.details->clipped_by.empty()) {
         // What a ray cannot meet inside all clips is not worth the roots.
         csg::Tree all;
@@ -179,14 +190,14 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
     }
     for (const scene::Object& clip : object.details->clipped_by) {
         if (clip.inverse || (turns_operand(clip) && !has_own_box(object) && !bounding_active())) continue;
-        const csg::Aabb box = placed_extent(clip, parent, own.parent_growth);
+        const csg::Aabb box = plan::placed_extent(clip, parent, own.parent_growth);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded))))
             guard.box = guard.box.intersected(box);
     }
     const auto* plane = std::get_if<scene::Plane>(&object.shape);
     if (cut_by_disc(object) || ends_at_box(object) ||
         (plane != nullptr && !object.details->clipped_by.empty() && bounding_active())) {
-        const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
+        const csg::Aabb box = placed_extent(object, own);
         if (!everywhere(box)) guard.box = guard.box.intersected(box);
     }
     if (scene::quadric_of(object) != nullptr && guard.box.finite()) {
@@ -220,8 +231,7 @@ void GeometryCompiler::add_unclipped(csg::Tree whole)
     world_->programs.push_back(std::move(program));
 }
 
-void GeometryCompiler::limit_starts(const scene::Object& object, const csg::Transform& parent,
-                                    const scene::BoxGrowth& growth)
+void GeometryCompiler::limit_starts(const scene::Object& object, const Inherited& own)
 {
     if (sharing_ != nullptr) return;
     const auto item = static_cast<std::uint32_t>(world_->items.size() - 1);
@@ -234,8 +244,7 @@ void GeometryCompiler::limit_starts(const scene::Object& object, const csg::Tran
         }
     }
     if (!csg::World(*world_).item_may_hold(item, starts_)) return;
-    out_.objects[object_].holds_starts = outer_bounds_.nested ? outer_bounds_.box
-                                                              : placed_extent(object, parent, growth);
+    out_.objects[object_].holds_starts = outer_bounds_.nested ? outer_bounds_.box : placed_extent(object, own);
 }
 
 /// `bounded_by` of the item that was added last, and the box that clips leave it: they decide which rays are told of
@@ -245,18 +254,18 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
     csg::WorldData& world = *world_;
     const csg::WorldItem item = world.items.back();
     const csg::Aabb drawn = csg::drawn_bounds(world, item);
-    const csg::Transform parent = own.to_world * object.transform->inverted();
-    limit_starts(object, parent, own.parent_growth);
-    if (world.last_has_test_box()) world.test_box_of_last(placed_extent(object, parent, own.parent_growth));
-    csg::BoundingGuard guard = clip_guard(object, own, parent);
-    if (bounds_inside_) guard.box = guard.box.intersected(placed_extent(object, parent, own.parent_growth));
+    limit_starts(object, own);
+    if (world.last_has_test_box()) world.test_box_of_last(placed_extent(object, own));
+    csg::BoundingGuard guard = clip_guard(object, own);
+    if (bounds_inside_) guard.box = guard.box.intersected(placed_extent(object, own));
     const bool lean = options_.lean.takes(LeanStep::Bounds);
     if (lean && holds(guard.box, drawn)) guard = {};
     csg::BoundingGuard bounds = outer_bounds_.guard;
     if (item.instance == csg::Hit::kNoInstance && !drops_bounds(object, outer_bounds_.nested)) {
-        if (outer_bounds_.nested || keeps_bounds(object, drawn)) must_meet(object, parent, own.parent_growth, bounds);
+        if (outer_bounds_.nested || keeps_bounds(object, drawn))
+            must_meet(object, parent_of(object, own), own.parent_growth, bounds);
         else if (has_own_box(object) || bounding_active())
-            bounds.box = bounds.box.intersected(placed_extent(object, parent, own.parent_growth));
+            bounds.box = bounds.box.intersected(placed_extent(object, own));
     }
     if (!lean || !holds(bounds.box, drawn)) guard.box = guard.box.intersected(bounds.box);
     if (!bounds.programs.empty()) {

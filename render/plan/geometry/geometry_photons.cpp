@@ -25,8 +25,7 @@ void GeometryCompiler::aim_photons(const scene::Object& object, Inherited& own)
     if (!photons_ || clipping_ || sharing_ != nullptr || !(own.photon_density > 0.0) || is_light(object) ||
         own.photons.target != PhotonSurface::kNoTarget)
         return;
-    const csg::Transform parent = own.to_world * object.transform->inverted();
-    const csg::Aabb box = placed_extent(object, parent, own.parent_growth);
+    const csg::Aabb box = placed_extent(object, own);
     own.photons.target = static_cast<std::uint32_t>(photons_->targets.size());
     photons_->targets.push_back({0.5 * (box.lower + box.upper), 0.5 * glm::length(box.upper - box.lower),
                                  own.photon_density, own.photons.reflection, own.photons.refraction,

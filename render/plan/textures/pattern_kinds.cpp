@@ -91,6 +91,21 @@ std::optional<texture::PatternKind> pattern_kind(const std::string& keyword)
     return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
+void compile_warps(const scene::Pattern& description, const csg::Transform* by, texture::Pattern& out,
+                   std::vector<texture::Warp>& warps)
+{
+    out.first_warp = static_cast<std::uint32_t>(warps.size());
+    auto step = description.warps.rbegin();
+    const auto end = description.warps.rend();
+    if (by != nullptr) {  // as scene::Pattern::transform puts it there
+        const auto* last = step != end ? std::get_if<csg::Transform>(&*step) : nullptr;
+        CompileWarp{warps}(last != nullptr ? *by * *last : *by);
+        if (last != nullptr) ++step;
+    }
+    for (; step != end; ++step) std::visit(CompileWarp{warps}, *step);
+    out.warp_count = static_cast<std::uint32_t>(warps.size()) - out.first_warp;
+}
+
 texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
                                  int scene_generator, std::vector<texture::Warp>& warps)
 {
@@ -104,15 +119,7 @@ texture::Pattern compile_pattern(const scene::Pattern& description, const csg::T
     out.poly_exponent = single(description.poly_exponent);
     out.folds = out.frequency != 0.0;
     set_numbers(description, out);
-    out.first_warp = static_cast<std::uint32_t>(warps.size());
-    auto step = description.warps.begin();
-    if (by != nullptr) {  // as scene::Pattern::transform puts it there
-        const auto* front = step != description.warps.end() ? std::get_if<csg::Transform>(&*step) : nullptr;
-        CompileWarp{warps}(front != nullptr ? *by * *front : *by);
-        if (front != nullptr) ++step;
-    }
-    for (; step != description.warps.end(); ++step) std::visit(CompileWarp{warps}, *step);
-    out.warp_count = static_cast<std::uint32_t>(warps.size()) - out.first_warp;
+    compile_warps(description, by, out, warps);
     if (description.turbulence) {
         out.has_turbulence = true;
         out.turbulence = rounded(*description.turbulence);

@@ -14,5 +14,8 @@ std::optional<texture::PatternKind> pattern_kind(const std::string& keyword);
 /// `scene_generator` stands in for a pattern without its own.
 texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
                                  int scene_generator, std::vector<texture::Warp>& warps);
+/// Its warps alone, for a pattern that is otherwise compiled.
+void compile_warps(const scene::Pattern& description, const csg::Transform* by, texture::Pattern& out,
+                   std::vector<texture::Warp>& warps);
 
 }  // namespace plan

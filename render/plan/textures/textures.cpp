@@ -318,13 +318,18 @@ std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& descript
 std::uint32_t TextureCompiler::texture(const PlacedTexture& placed)
 {
     if (!placed) return texture::kNone;
-    const auto known = known_.find(placed);
-    if (known != known_.end()) return known->second;
+    const auto [known, fresh] = known_.try_emplace(placed, texture::kNone);
+    std::uint32_t& index = known->second;  // stays where it is while textures within are made known
+    if (!fresh) return index;
+    if (placed.by != nullptr)
+        if (const auto first = first_placed_.find(placed.texture.get()); first != first_placed_.end())
+            return index = again(first->second, *placed.texture, *placed.by);
+    const std::size_t noted = notes_.size();
     const auto* plain = std::get_if<std::vector<scene::Layer>>(&placed.texture->kind);
-    const std::uint32_t index =
-        plain ? layers(*plain, placed.by)
-              : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(placed.texture->kind), placed.by);
-    known_.emplace(placed, index);
+    index = plain ? layers(*plain, placed.by)
+                  : patterned(*std::get<scene::Shared<scene::PatternedTexture>>(placed.texture->kind), placed.by);
+    const bool complete = index != texture::kNone && notes_.size() == noted;  // what is missing is told each time
+    if (placed.by != nullptr && complete) first_placed_.emplace(placed.texture.get(), index);
     return index;
 }
 

@@ -64,6 +64,9 @@ private:
     std::uint32_t part(const scene::NormalPtr& description, bool no_bump_scale);
     std::uint32_t layers(const std::vector<scene::Layer>& description, const csg::Transform* by);
     std::uint32_t patterned(const scene::PatternedTexture& description, const csg::Transform* by);
+    /// A texture of the set, whole in it, at another place.
+    std::uint32_t again(std::uint32_t known, const scene::Texture& description, const csg::Transform& by);
+    std::uint32_t pattern_again(std::uint32_t known, const scene::Pattern& description, const csg::Transform& by);
     std::uint32_t pigment_map(const scene::PatternedPigment& description, const csg::Transform* by);
     void extend(const scene::Finish& from, texture::Finish& to);
     std::uint32_t finish(const scene::Shared<scene::Finish>& description);
@@ -92,6 +95,7 @@ private:
         }
     };
     std::unordered_map<PlacedTexture, std::uint32_t, HashOfPlaced> known_;
+    std::unordered_map<const scene::Texture*, std::uint32_t> first_placed_;     ///< of textures in known_ that moved
     std::unordered_map<scene::PigmentPtr, std::uint32_t> known_pigments_;       ///< inside of others
     std::map<std::pair<scene::NormalPtr, bool>, std::uint32_t> known_normals_;  ///< the same
     std::unordered_map<const scene::Finish*, std::uint32_t> known_finishes_;    ///< of textures in known_

@@ -90,7 +90,7 @@ void dump(DumpWriter& out, const Pattern& p)
     out.value("frequency", p.frequency);
     out.value("phase", p.phase);
     out.line("wave", p.wave == WaveForm::Poly ? "poly_wave " + text(p.poly_exponent) : name_of(p.wave));
-    for (const WarpStep& step : p.warps) std::visit(WarpDump{out}, step);
+    for (auto step = p.warps.rbegin(); step != p.warps.rend(); ++step) std::visit(WarpDump{out}, *step);
     if (p.turbulence) {
         out.open("turbulence");
         dump(out, *p.turbulence);

@@ -40,7 +40,7 @@ struct MappingWarp {
     double dist_exp = 0, major_radius = 1;
 };
 
-/// One step of a pattern's coordinate change. Kept in evaluation order: front first.
+/// One step of a pattern's coordinate change.
 using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
 
 struct DensityFile;
@@ -67,11 +67,11 @@ struct Pattern {
     double frequency = 1, phase = 0;
     WaveForm wave = WaveForm::Ramp;
     double poly_exponent = 1;
-    std::vector<WarpStep> warps;           ///< front to back = order of evaluation; classic turbulence, if any, last
+    std::vector<WarpStep> warps;           ///< as written: a point goes through the last one first
     std::optional<Turbulence> turbulence;  ///< classic turbulence: after all warps
     SourceRef source;
 
-    /// A transformation written after what is there: composes with a transformation at the front, else goes in front.
+    /// A transformation written after what is there: composes with a transformation at the end, else becomes the end.
     void transform(const csg::Transform& t);
 };
 

@@ -180,10 +180,10 @@ private:
         accept("{");
         const std::string w = next();
         auto& warps = out_.pattern.warps;
-        if (w == "turbulence") warps.insert(warps.begin(), warp_turbulence());
-        else if (w == "repeat") warps.insert(warps.begin(), repeat());
-        else if (w == "black_hole") warps.insert(warps.begin(), black_hole());
-        else warps.insert(warps.begin(), mapping(w));
+        if (w == "turbulence") warps.push_back(warp_turbulence());
+        else if (w == "repeat") warps.push_back(repeat());
+        else if (w == "black_hole") warps.push_back(black_hole());
+        else warps.push_back(mapping(w));
         if (!accept("}")) throw std::runtime_error("warp does not end");
     }
     scene::Turbulence warp_turbulence()
