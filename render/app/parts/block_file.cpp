@@ -2,8 +2,10 @@
 
 #include "render/app/parts/hash.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -18,7 +20,7 @@ constexpr std::string_view kBlocksMagic = "whittle blocks 1";
 struct Heading {
     char magic[16];
     std::uint64_t fingerprint;
-    std::uint64_t first, last;
+    std::uint64_t wanted;  ///< numbers of blocks, which follow behind the text
     std::int32_t width, height, side, window[4], part, parts;
     std::int32_t type, bits, alpha, greyscale, dither, quality;
     std::int32_t working_kind, file_kind;
@@ -29,14 +31,21 @@ struct Heading {
 };
 static_assert(std::is_trivially_copyable_v<Heading> && std::has_unique_object_representations_v<Record>);
 
-constexpr std::uint32_t kMostText = 1 << 28;
 constexpr std::int32_t kMostParts = 1'000'000;
 constexpr int kLayerRows = 8;  // that are made together
 
-std::uint64_t check_of(Heading heading, const std::string& text)
+std::uint64_t check_of(Heading heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
 {
     heading.check = 0;
-    return hash_of(text.data(), text.size(), hash_of(&heading, sizeof heading));
+    return hash_of(wanted.data(), wanted.size() * sizeof(std::uint32_t),
+                   hash_of(text.data(), text.size(), hash_of(&heading, sizeof heading)));
+}
+
+std::string bytes_of(const Heading& heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
+{
+    std::string bytes(reinterpret_cast<const char*>(&heading), sizeof heading);
+    bytes += text;
+    return bytes.append(reinterpret_cast<const char*>(wanted.data()), wanted.size() * sizeof(std::uint32_t));
 }
 
 std::uint64_t check_of(std::uint64_t number, const std::vector<float>& samples)
@@ -62,7 +71,7 @@ bool known(const Heading& h)
            within(1, w[3], h.height - w[1]) && within(1, h.parts, kMostParts) && within(1, h.part, h.parts) &&
            within(0, h.type, 127) && kTypes.find(static_cast<char>(h.type)) != std::string_view::npos &&
            within(5, h.bits, 16) && within(0, h.dither, static_cast<int>(image::Dither::FloydSteinberg)) &&
-           within(0, h.working_kind, 2) && within(0, h.file_kind, 2) && h.first <= h.last && h.layers <= (1u << 16);
+           within(0, h.working_kind, 2) && within(0, h.file_kind, 2) && h.layers <= (1u << 16);
 }
 
 /// Texts one after the other, each ended by a zero.
@@ -78,17 +87,18 @@ std::string text_of(const BlocksOf& of)
     return out;
 }
 
-std::optional<BlocksOf> unpacked(const Heading& h, const std::string& text)
+std::optional<BlocksOf> unpacked(const Heading& h, const std::string& text, std::vector<std::uint32_t> wanted)
 {
     BlocksOf of;
     of.width = h.width;
     of.height = h.height;
     of.blocks = trace::Blocks({h.window[0], h.window[1], h.window[2], h.window[3]}, h.side);
-    of.first = h.first;
-    of.last = h.last;
+    of.wanted = std::move(wanted);
     of.part = h.part;
     of.parts = h.parts;
-    if (of.last > of.blocks.size()) return std::nullopt;
+    if (!std::is_sorted(of.wanted.begin(), of.wanted.end()) ||
+        (!of.wanted.empty() && of.wanted.back() >= of.blocks.size()))
+        return std::nullopt;
     of.file.type = static_cast<image::FileType>(h.type);
     of.file.jpeg_quality = h.quality;
     char digits[17];
@@ -122,8 +132,7 @@ std::string heading_of(const BlocksOf& of)
     Heading h{};
     std::memcpy(h.magic, kBlocksMagic.data(), kBlocksMagic.size());
     h.fingerprint = std::strtoull(of.file.fingerprint.c_str(), nullptr, 16);
-    h.first = of.first;
-    h.last = of.last;
+    h.wanted = of.wanted.size();
     h.width = of.width;
     h.height = of.height;
     h.side = of.blocks.side();
@@ -146,8 +155,8 @@ std::string heading_of(const BlocksOf& of)
     const std::string text = text_of(of);
     h.layers = static_cast<std::uint32_t>(of.layers.size());
     h.text = static_cast<std::uint32_t>(text.size());
-    h.check = check_of(h, text);
-    return std::string(reinterpret_cast<const char*>(&h), sizeof h) + text;
+    h.check = check_of(h, text, of.wanted);
+    return bytes_of(h, text, of.wanted);
 }
 
 std::size_t samples_of(const trace::Block& block)
@@ -173,13 +182,18 @@ void BlockReader::read_heading()
     Heading h;
     const std::size_t count = std::fread(&h, 1, sizeof h, file_.get());
     strange_ = std::memcmp(h.magic, kBlocksMagic.data(), std::min(count, kBlocksMagic.size())) != 0;
-    if (strange_ || count != sizeof h || h.text > kMostText) return;
+    struct stat status {};
+    if (strange_ || count != sizeof h || !known(h) || fstat(fileno(file_.get()), &status) != 0) return;
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (h.text > size || h.wanted > size / sizeof(std::uint32_t)) return;  // no memory for what is not there
     std::string text(h.text, '\0');
-    if (std::fread(text.data(), 1, text.size(), file_.get()) != text.size() || h.check != check_of(h, text) ||
-        !known(h) || (!text.empty() && text.back() != '\0'))
+    if (std::fread(text.data(), 1, text.size(), file_.get()) != text.size()) return;
+    std::vector<std::uint32_t> wanted(h.wanted);
+    if (std::fread(wanted.data(), sizeof(std::uint32_t), wanted.size(), file_.get()) != wanted.size() ||
+        h.check != check_of(h, text, wanted) || (!text.empty() && text.back() != '\0'))
         return;
-    of_ = unpacked(h, text);
-    heading_ = std::string(reinterpret_cast<const char*>(&h), sizeof h) + text;
+    heading_ = bytes_of(h, text, wanted);
+    of_ = unpacked(h, text, std::move(wanted));
     place_ = sound_ = std::ftell(file_.get());
 }
 
@@ -214,7 +228,7 @@ std::optional<std::string> whole_part(const std::string& path)
     BlockReader file(path);
     if (!file.of()) return std::nullopt;
     const BlocksOf& of = *file.of();
-    std::size_t lacking = of.last - of.first;
+    std::size_t lacking = of.wanted.size();
     if (!of.layers.empty()) lacking += static_cast<std::size_t>(of.last_layer_row() - of.first_layer_row());
     Record record;
     std::vector<float> samples;

@@ -20,8 +20,8 @@ struct BlocksOf {
     trace::Blocks blocks;
     image::FileSettings file;  ///< how the picture is written, with its fingerprint
     int part = 1, parts = 1;
-    std::size_t first = 0, last = 0;  ///< the blocks that are to be in it
-    std::vector<std::string> layers;  ///< channels of the layers beside the picture; empty: none
+    std::vector<std::uint32_t> wanted;  ///< the blocks that are to be in it, ascending; of a state not told
+    std::vector<std::string> layers;    ///< channels of the layers beside the picture; empty: none
     std::vector<std::pair<std::string, std::string>> attributes;  ///< of those
 
     /// Rows of layers that are to be in it: as many as whole squares of rays.

@@ -14,8 +14,9 @@ PicturePart::PicturePart(const std::string& path, BlocksOf of)
 
 void PicturePart::put(std::size_t first, std::size_t last, const image::Image& picture)
 {
-    for (std::size_t i = std::max(first, of_.first); i < std::min(last, of_.last); ++i)
-        writer_.put(i, of_.blocks[i], picture);
+    for (auto i = std::lower_bound(of_.wanted.begin(), of_.wanted.end(), first); i != of_.wanted.end() && *i < last;
+         ++i)
+        writer_.put(std::size_t{*i}, of_.blocks[*i], picture);
 }
 
 void PicturePart::put(const image::Channels& layers)
