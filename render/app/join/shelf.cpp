@@ -1,5 +1,7 @@
 #include "render/app/join/shelf.h"
 
+#include "render/app/run/exit_status.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <cstring>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 
 namespace app {
 
@@ -151,7 +152,7 @@ void Shelf::read(const Place& place, std::uint64_t number)
     if (readers_.size() >= kMostOpen && !readers_.contains(place.file)) readers_.clear();
     const std::string& path = parts_[place.file].path;
     if (!readers_.try_emplace(place.file, path).first->second.again(place.at, number, samples_))
-        throw std::runtime_error(path + ": it has changed while it was read");
+        throw TryAgain(path + ": it has changed while it was read");
 }
 
 void Shelf::load(int row, image::Image& picture)

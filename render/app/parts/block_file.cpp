@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -238,22 +239,25 @@ std::optional<std::string> whole_part(const std::string& path)
 
 BlockWriter::BlockWriter(const std::string& path, const BlocksOf& of, long after) : file_(nullptr, std::fclose)
 {
-    if (after > 0) {
-        broken_ = truncate(path.c_str(), after) != 0;
-        file_.reset(broken_ ? nullptr : std::fopen(path.c_str(), "ab"));
-    } else {
-        file_.reset(std::fopen(path.c_str(), "wb"));
-        const std::string heading = heading_of(of);
-        broken_ = !file_ || std::fwrite(heading.data(), 1, heading.size(), file_.get()) != heading.size();
-    }
-    broken_ = broken_ || !file_;
+    if (after > 0) expect(truncate(path.c_str(), after) == 0);
+    if (error_ == 0) file_.reset(std::fopen(path.c_str(), after > 0 ? "ab" : "wb"));
+    expect(file_ != nullptr);
+    if (error_ != 0 || after > 0) return;
+    const std::string heading = heading_of(of);
+    expect(std::fwrite(heading.data(), 1, heading.size(), file_.get()) == heading.size());
+}
+
+void BlockWriter::expect(bool done)
+{
+    if (!done && error_ == 0) error_ = errno != 0 ? errno : EIO;
 }
 
 void BlockWriter::put(std::uint64_t number, const std::vector<float>& samples)
 {
+    if (error_ != 0) return;
     const Record record{number, check_of(number, samples)};
-    broken_ = broken_ || std::fwrite(&record, sizeof record, 1, file_.get()) != 1 ||
-              std::fwrite(samples.data(), sizeof(float), samples.size(), file_.get()) != samples.size();
+    expect(std::fwrite(&record, sizeof record, 1, file_.get()) == 1 &&
+           std::fwrite(samples.data(), sizeof(float), samples.size(), file_.get()) == samples.size());
 }
 
 void BlockWriter::put(std::size_t number, const trace::Block& block, const image::Image& picture)
@@ -268,14 +272,16 @@ void BlockWriter::put(std::size_t number, const trace::Block& block, const image
 
 bool BlockWriter::flush()
 {
-    broken_ = broken_ || std::fflush(file_.get()) != 0;
-    return !broken_;
+    if (error_ == 0) expect(std::fflush(file_.get()) == 0);
+    return error_ == 0;
 }
 
 bool BlockWriter::finish()
 {
-    if (!flush() || fsync(fileno(file_.get())) != 0) return false;
-    return std::fclose(file_.release()) == 0;
+    if (!flush()) return false;
+    expect(fsync(fileno(file_.get())) == 0);
+    expect(std::fclose(file_.release()) == 0);
+    return error_ == 0;
 }
 
 }  // namespace app

@@ -78,10 +78,12 @@ public:
     bool flush();
     /// Whether all of it is on the disk, and the file is closed.
     bool finish();
+    int error() const { return error_; }  ///< the system's number of what failed first; 0: nothing
 
 private:
+    void expect(bool done);
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    bool broken_ = false;
+    int error_ = 0;
     std::vector<float> samples_;
 };
 

@@ -135,14 +135,15 @@ bool PictureRun::find_indirect_light()
     return !cancelled();
 }
 
-/// What --prepare has left for a part, if it is of this picture.
+/// What --prepare has left, if it is of this picture.
 void PictureRun::find_prepared()
 {
-    if (settings_.shards == 0) return;
+    if (settings_.shards == 0 && !(settings_.prepare && settings_.continue_trace)) return;
     bool other = false;
     const std::string path = prepared_path(settings_, task_.path);
     prepared_ = read_prepared(path, task_.file.fingerprint, other);
-    if (other) task_.run.reporter.note(path + " is of another picture or damaged: the part does without");
+    if (other && settings_.shards > 0)
+        task_.run.reporter.note(path + " is of another picture or damaged: the part does without");
 }
 
 /// Empty: cancelled.
@@ -328,6 +329,10 @@ int PictureRun::render()
         task_.run.reporter.note("nothing in the scene gives light: no light source, no sky or background, no finish "
                                 "with emission; the picture is black");
     find_prepared();
+    if (settings_.prepare && prepared_) {
+        task_.run.reporter.skipped(prepared_path(settings_, task_.path));
+        return kSuccess;
+    }
     if (!find_indirect_light()) return give_up();
     if (settings_.prepare) return prepare();
     if (!choose_blocks() || !trace_blocks() || cancelled()) return give_up();
