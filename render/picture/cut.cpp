@@ -73,23 +73,34 @@ std::vector<double> coarse_costs(const plan::CompiledScene& scene, const RenderO
     return all ? costs : std::vector<double>();
 }
 
-std::vector<std::size_t> cut_by_cost(const Blocks& blocks, const std::vector<double>& costs, int parts)
+std::vector<std::uint32_t> deal_by_cost(const Blocks& blocks, const std::vector<double>& costs, int parts)
 {
     const CoarseGrid grid(blocks.window());
     if (costs.size() != grid.size()) throw std::runtime_error("the costs are those of another picture");
-    std::vector<double> sums{0.0};
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
+    struct Dealt {
+        double cost;
+        std::uint32_t number;
+    };
+    std::vector<Dealt> dearest;
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
         const Block block = blocks[i];
         const double each = grid.around(costs, block.left + 0.5 * block.width, block.top + 0.5 * block.height);
-        sums.push_back(sums.back() + each * block.width * block.height);
+        dearest.push_back({each * block.width * block.height, i});
     }
-    std::vector<std::size_t> cut{0};
-    for (int part = 1; part < parts; ++part) {
-        const auto at = std::lower_bound(sums.begin(), sums.end(), sums.back() * part / parts);
-        cut.push_back(static_cast<std::size_t>(at - sums.begin()));
+    std::stable_sort(dearest.begin(), dearest.end(), [](const Dealt& a, const Dealt& b) { return a.cost > b.cost; });
+    std::vector<Dealt> least;  // a heap of parts
+    for (std::uint32_t part = 0; part < static_cast<std::uint32_t>(parts); ++part) least.push_back({0.0, part});
+    const auto later = [](const Dealt& a, const Dealt& b) {
+        return a.cost > b.cost || (a.cost == b.cost && a.number > b.number);
+    };
+    std::vector<std::uint32_t> owners(blocks.size());
+    for (const Dealt& block : dearest) {
+        std::pop_heap(least.begin(), least.end(), later);
+        least.back().cost += block.cost;
+        owners[block.number] = least.back().number;
+        std::push_heap(least.begin(), least.end(), later);
     }
-    cut.push_back(blocks.size());
-    return cut;
+    return owners;
 }
 
 }  // namespace trace

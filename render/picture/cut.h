@@ -2,7 +2,7 @@
 
 #include "render/picture/render.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace trace {
@@ -12,8 +12,9 @@ namespace trace {
 /// \param options  the passes' light, threads and instruction set are looked at
 std::vector<double> coarse_costs(const plan::CompiledScene& scene, const RenderOptions& options);
 
-/// Cuts blocks into parts that cost about as much: part i has the blocks [cut[i], cut[i + 1]).
-/// \param costs  of coarse_costs() for the same picture
-std::vector<std::size_t> cut_by_cost(const Blocks& blocks, const std::vector<double>& costs, int parts);
+/// Deals blocks out to parts that cost about as much: by block, the number of its part, from 0 on. The dearest first,
+/// each to the part that has least, so neighbours, whose costs are guessed wrong alike, come to different parts.
+/// \param costs  of coarse_costs() for the same picture. Throws std::runtime_error where they are those of another
+std::vector<std::uint32_t> deal_by_cost(const Blocks& blocks, const std::vector<double>& costs, int parts);
 
 }  // namespace trace

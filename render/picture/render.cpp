@@ -54,10 +54,11 @@ RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& o
     const Blocks blocks(scene.options);
     const std::size_t last = std::min(options.last, blocks.size());
     const bool has_done = options.done.size() == blocks.size();
+    const auto wanted = [&](std::size_t i) { return options.asks_for(i) && !(has_done && options.done[i]); };
     std::atomic<std::size_t> done = options.first;
-    for (std::size_t i = options.first; has_done && i < last; ++i) done += options.done[i] ? 1 : 0;
+    for (std::size_t i = options.first; i < last; ++i) done += wanted(i) ? 0 : 1;
     const bool all = workers.each(options.first, last, [&](std::size_t i, auto& worker) {
-        if (has_done && options.done[i]) return true;
+        if (!wanted(i)) return true;
         const Block block = blocks[i];
         worker.kept.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
         if (!kernel.trace(*worker.tracer, block, worker.kept.data())) return false;

@@ -33,6 +33,8 @@ struct RenderOptions {
     std::size_t first = 0, last = ~std::size_t{0};  ///< blocks [first, last) alone, by number of Blocks
     /// By number of Blocks: true for those that the picture handed in holds already; empty: it holds none.
     std::vector<bool> done;
+    std::vector<bool> others;  ///< by number of Blocks: true for those that are not asked for; empty: all are
+    bool asks_for(std::size_t block) const { return others.empty() || !others[block]; }
     /// Called from any thread with the number of a block that has just been put into the picture; may be empty.
     std::function<void(std::size_t)> finished;
 };

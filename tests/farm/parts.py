@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
 
 HEAD = """#version 3.7;
@@ -129,11 +130,37 @@ def prepared(place):
         place.call("join", "out.png", *parts)
         tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
         found = place.bytes("s.whittle-prepared")
+        (place.folder / "s.png").unlink()
+        says(place.render("--prepare", "+C", "+A0.3"), "s.whittle-prepared exists and continue was asked for")
+        tell("skipped" not in place.render("--prepare", "+C", "+A0.25"), "what is of other options is left")
         for wrong in (found[:-1], found[:20], b"", found[:50] + bytes([found[50] ^ 1]) + found[51:]):
             (place.folder / "s.whittle-prepared").write_bytes(wrong)
             part = place.bytes(parts[0])
             says(place.render("--shard=1/3", "+A0.3"), "s.whittle-prepared is of another picture or damaged")
             tell(place.bytes(parts[0]) == part, "the part is another")
+
+
+def killed(place):
+    """A part whose task was killed goes on from its state."""
+    place.write(AREA.replace("4, 4 jitter", "17, 17 jitter"))
+    place.render("+W200", "+H152")
+    words = [place.program, "s.pov", *SIZE, "+W200", "+H152", "--shard=1/2", "--quiet"]
+    for _ in range(20):
+        task = subprocess.Popen([*words, "--state-after=0"], cwd=place.folder)
+        state = place.folder / "s.1-of-2.whittle-state"
+        while task.poll() is None and not (state.exists() and state.stat().st_size > 20000):
+            time.sleep(0.001)
+        task.kill()
+        task.wait()
+        if state.exists():
+            break
+        (place.folder / "s.1-of-2.whittle-part").unlink()
+    tell(state.exists(), "no task was killed in time")
+    says(place.render("+W200", "+H152", "--shard=1/2", "+C"), "blocks taken from s.1-of-2.whittle-state")
+    tell(not state.exists(), "the state is left")
+    tell(not list(place.folder.glob("*.part")), "the task that was killed has left a file")
+    place.call("join", "out.png", *place.parts(2, "+C", "+W200", "+H152"))
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
 
 
 def missing(place):
@@ -274,7 +301,7 @@ def names(place):
     tell(other.bytes("x \u00fc.png") == other.bytes(name + ".png"), "other bytes")
 
 
-FAULTS = {f.__name__: f for f in (prepared, missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
+FAULTS = {f.__name__: f for f in (prepared, killed, missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
                                   fingerprints, names)}
 
 

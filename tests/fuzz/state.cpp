@@ -22,7 +22,6 @@ app::BlocksOf whole_of_it()
     of.height = kHigh;
     of.blocks = blocks();
     of.file.fingerprint = "1234";
-    of.last = of.blocks.size();
     return of;
 }
 

@@ -1,12 +1,14 @@
 #include "render/app/join/shelf.h"
 
+#include "render/app/run/exit_status.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <numeric>
 #include <set>
-#include <stdexcept>
 
 namespace app {
 
@@ -18,7 +20,7 @@ constexpr std::size_t kMostOpen = 64;  // files; a process may have some hundred
 std::string kind_of(BlocksOf of)
 {
     of.part = of.parts = 1;
-    of.first = of.last = 0;
+    of.wanted.clear();
     return heading_of(of);
 }
 
@@ -103,24 +105,19 @@ void Shelf::scan()
 /// Blocks and rows of layers that a part is to have and that no file holds.
 std::size_t Shelf::lacking(const BlocksOf& of) const
 {
-    const auto nowhere = [](const std::vector<Place>& places, std::size_t first, std::size_t last) {
-        return static_cast<std::size_t>(std::count_if(places.begin() + static_cast<std::ptrdiff_t>(first),
-                                                      places.begin() + static_cast<std::ptrdiff_t>(last),
-                                                      [](const Place& place) { return place.file == kNowhere; }));
-    };
-    std::size_t count = nowhere(blocks_, of.first, of.last);
-    if (!layer_rows_.empty())
-        count += nowhere(layer_rows_, static_cast<std::size_t>(of.first_layer_row()),
-                         static_cast<std::size_t>(of.last_layer_row()));
-    return count;
+    auto count = std::count_if(of.wanted.begin(), of.wanted.end(),
+                               [this](std::uint32_t block) { return blocks_[block].file == kNowhere; });
+    for (int row = of.first_layer_row(); row < of.last_layer_row() && !layer_rows_.empty(); ++row)
+        count += layer_rows_[static_cast<std::size_t>(row)].file == kNowhere ? 1 : 0;
+    return static_cast<std::size_t>(count);
 }
 
 void Shelf::tell_missing()
 {
     BlocksOf all = of_;
     all.part = all.parts = 1;
-    all.first = 0;
-    all.last = blocks_.size();
+    all.wanted.resize(blocks_.size());
+    std::iota(all.wanted.begin(), all.wanted.end(), 0u);
     if (lacking(all) == 0) {  // whatever else was given
         std::erase_if(faults_, [](const Fault& fault) { return fault.may_mend; });
         return;
@@ -155,7 +152,7 @@ void Shelf::read(const Place& place, std::uint64_t number)
     if (readers_.size() >= kMostOpen && !readers_.contains(place.file)) readers_.clear();
     const std::string& path = parts_[place.file].path;
     if (!readers_.try_emplace(place.file, path).first->second.again(place.at, number, samples_))
-        throw std::runtime_error(path + ": it has changed while it was read");
+        throw TryAgain(path + ": it has changed while it was read");
 }
 
 void Shelf::load(int row, image::Image& picture)

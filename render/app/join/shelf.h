@@ -25,7 +25,7 @@ public:
     const BlocksOf& of() const { return of_; }
 
     /// The row of blocks that holds this row of the picture, black where the window has none. Throws
-    /// std::runtime_error where a file has changed since.
+    /// TryAgain where a file has changed since.
     void load(int row, image::Image& picture);
     /// All channels of a row of layers, as they were rendered.
     const std::vector<float>& layer_row(int row);

@@ -2,8 +2,11 @@
 
 #include "render/app/parts/hash.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
@@ -18,7 +21,7 @@ constexpr std::string_view kBlocksMagic = "whittle blocks 1";
 struct Heading {
     char magic[16];
     std::uint64_t fingerprint;
-    std::uint64_t first, last;
+    std::uint64_t wanted;  ///< numbers of blocks, which follow behind the text
     std::int32_t width, height, side, window[4], part, parts;
     std::int32_t type, bits, alpha, greyscale, dither, quality;
     std::int32_t working_kind, file_kind;
@@ -29,14 +32,21 @@ struct Heading {
 };
 static_assert(std::is_trivially_copyable_v<Heading> && std::has_unique_object_representations_v<Record>);
 
-constexpr std::uint32_t kMostText = 1 << 28;
 constexpr std::int32_t kMostParts = 1'000'000;
 constexpr int kLayerRows = 8;  // that are made together
 
-std::uint64_t check_of(Heading heading, const std::string& text)
+std::uint64_t check_of(Heading heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
 {
     heading.check = 0;
-    return hash_of(text.data(), text.size(), hash_of(&heading, sizeof heading));
+    return hash_of(wanted.data(), wanted.size() * sizeof(std::uint32_t),
+                   hash_of(text.data(), text.size(), hash_of(&heading, sizeof heading)));
+}
+
+std::string bytes_of(const Heading& heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
+{
+    std::string bytes(reinterpret_cast<const char*>(&heading), sizeof heading);
+    bytes += text;
+    return bytes.append(reinterpret_cast<const char*>(wanted.data()), wanted.size() * sizeof(std::uint32_t));
 }
 
 std::uint64_t check_of(std::uint64_t number, const std::vector<float>& samples)
@@ -62,7 +72,7 @@ bool known(const Heading& h)
            within(1, w[3], h.height - w[1]) && within(1, h.parts, kMostParts) && within(1, h.part, h.parts) &&
            within(0, h.type, 127) && kTypes.find(static_cast<char>(h.type)) != std::string_view::npos &&
            within(5, h.bits, 16) && within(0, h.dither, static_cast<int>(image::Dither::FloydSteinberg)) &&
-           within(0, h.working_kind, 2) && within(0, h.file_kind, 2) && h.first <= h.last && h.layers <= (1u << 16);
+           within(0, h.working_kind, 2) && within(0, h.file_kind, 2) && h.layers <= (1u << 16);
 }
 
 /// Texts one after the other, each ended by a zero.
@@ -78,17 +88,18 @@ std::string text_of(const BlocksOf& of)
     return out;
 }
 
-std::optional<BlocksOf> unpacked(const Heading& h, const std::string& text)
+std::optional<BlocksOf> unpacked(const Heading& h, const std::string& text, std::vector<std::uint32_t> wanted)
 {
     BlocksOf of;
     of.width = h.width;
     of.height = h.height;
     of.blocks = trace::Blocks({h.window[0], h.window[1], h.window[2], h.window[3]}, h.side);
-    of.first = h.first;
-    of.last = h.last;
+    of.wanted = std::move(wanted);
     of.part = h.part;
     of.parts = h.parts;
-    if (of.last > of.blocks.size()) return std::nullopt;
+    if (!std::is_sorted(of.wanted.begin(), of.wanted.end()) ||
+        (!of.wanted.empty() && of.wanted.back() >= of.blocks.size()))
+        return std::nullopt;
     of.file.type = static_cast<image::FileType>(h.type);
     of.file.jpeg_quality = h.quality;
     char digits[17];
@@ -122,8 +133,7 @@ std::string heading_of(const BlocksOf& of)
     Heading h{};
     std::memcpy(h.magic, kBlocksMagic.data(), kBlocksMagic.size());
     h.fingerprint = std::strtoull(of.file.fingerprint.c_str(), nullptr, 16);
-    h.first = of.first;
-    h.last = of.last;
+    h.wanted = of.wanted.size();
     h.width = of.width;
     h.height = of.height;
     h.side = of.blocks.side();
@@ -146,8 +156,8 @@ std::string heading_of(const BlocksOf& of)
     const std::string text = text_of(of);
     h.layers = static_cast<std::uint32_t>(of.layers.size());
     h.text = static_cast<std::uint32_t>(text.size());
-    h.check = check_of(h, text);
-    return std::string(reinterpret_cast<const char*>(&h), sizeof h) + text;
+    h.check = check_of(h, text, of.wanted);
+    return bytes_of(h, text, of.wanted);
 }
 
 std::size_t samples_of(const trace::Block& block)
@@ -173,13 +183,18 @@ void BlockReader::read_heading()
     Heading h;
     const std::size_t count = std::fread(&h, 1, sizeof h, file_.get());
     strange_ = std::memcmp(h.magic, kBlocksMagic.data(), std::min(count, kBlocksMagic.size())) != 0;
-    if (strange_ || count != sizeof h || h.text > kMostText) return;
+    struct stat status {};
+    if (strange_ || count != sizeof h || !known(h) || fstat(fileno(file_.get()), &status) != 0) return;
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (h.text > size || h.wanted > size / sizeof(std::uint32_t)) return;  // no memory for what is not there
     std::string text(h.text, '\0');
-    if (std::fread(text.data(), 1, text.size(), file_.get()) != text.size() || h.check != check_of(h, text) ||
-        !known(h) || (!text.empty() && text.back() != '\0'))
+    if (std::fread(text.data(), 1, text.size(), file_.get()) != text.size()) return;
+    std::vector<std::uint32_t> wanted(h.wanted);
+    if (std::fread(wanted.data(), sizeof(std::uint32_t), wanted.size(), file_.get()) != wanted.size() ||
+        h.check != check_of(h, text, wanted) || (!text.empty() && text.back() != '\0'))
         return;
-    of_ = unpacked(h, text);
-    heading_ = std::string(reinterpret_cast<const char*>(&h), sizeof h) + text;
+    heading_ = bytes_of(h, text, wanted);
+    of_ = unpacked(h, text, std::move(wanted));
     place_ = sound_ = std::ftell(file_.get());
 }
 
@@ -214,7 +229,7 @@ std::optional<std::string> whole_part(const std::string& path)
     BlockReader file(path);
     if (!file.of()) return std::nullopt;
     const BlocksOf& of = *file.of();
-    std::size_t lacking = of.last - of.first;
+    std::size_t lacking = of.wanted.size();
     if (!of.layers.empty()) lacking += static_cast<std::size_t>(of.last_layer_row() - of.first_layer_row());
     Record record;
     std::vector<float> samples;
@@ -224,22 +239,25 @@ std::optional<std::string> whole_part(const std::string& path)
 
 BlockWriter::BlockWriter(const std::string& path, const BlocksOf& of, long after) : file_(nullptr, std::fclose)
 {
-    if (after > 0) {
-        broken_ = truncate(path.c_str(), after) != 0;
-        file_.reset(broken_ ? nullptr : std::fopen(path.c_str(), "ab"));
-    } else {
-        file_.reset(std::fopen(path.c_str(), "wb"));
-        const std::string heading = heading_of(of);
-        broken_ = !file_ || std::fwrite(heading.data(), 1, heading.size(), file_.get()) != heading.size();
-    }
-    broken_ = broken_ || !file_;
+    if (after > 0) expect(truncate(path.c_str(), after) == 0);
+    if (error_ == 0) file_.reset(std::fopen(path.c_str(), after > 0 ? "ab" : "wb"));
+    expect(file_ != nullptr);
+    if (error_ != 0 || after > 0) return;
+    const std::string heading = heading_of(of);
+    expect(std::fwrite(heading.data(), 1, heading.size(), file_.get()) == heading.size());
+}
+
+void BlockWriter::expect(bool done)
+{
+    if (!done && error_ == 0) error_ = errno != 0 ? errno : EIO;
 }
 
 void BlockWriter::put(std::uint64_t number, const std::vector<float>& samples)
 {
+    if (error_ != 0) return;
     const Record record{number, check_of(number, samples)};
-    broken_ = broken_ || std::fwrite(&record, sizeof record, 1, file_.get()) != 1 ||
-              std::fwrite(samples.data(), sizeof(float), samples.size(), file_.get()) != samples.size();
+    expect(std::fwrite(&record, sizeof record, 1, file_.get()) == 1 &&
+           std::fwrite(samples.data(), sizeof(float), samples.size(), file_.get()) == samples.size());
 }
 
 void BlockWriter::put(std::size_t number, const trace::Block& block, const image::Image& picture)
@@ -254,14 +272,16 @@ void BlockWriter::put(std::size_t number, const trace::Block& block, const image
 
 bool BlockWriter::flush()
 {
-    broken_ = broken_ || std::fflush(file_.get()) != 0;
-    return !broken_;
+    if (error_ == 0) expect(std::fflush(file_.get()) == 0);
+    return error_ == 0;
 }
 
 bool BlockWriter::finish()
 {
-    if (!flush() || fsync(fileno(file_.get())) != 0) return false;
-    return std::fclose(file_.release()) == 0;
+    if (!flush()) return false;
+    expect(fsync(fileno(file_.get())) == 0);
+    expect(std::fclose(file_.release()) == 0);
+    return error_ == 0;
 }
 
 }  // namespace app

@@ -20,8 +20,8 @@ struct BlocksOf {
     trace::Blocks blocks;
     image::FileSettings file;  ///< how the picture is written, with its fingerprint
     int part = 1, parts = 1;
-    std::size_t first = 0, last = 0;  ///< the blocks that are to be in it
-    std::vector<std::string> layers;  ///< channels of the layers beside the picture; empty: none
+    std::vector<std::uint32_t> wanted;  ///< the blocks that are to be in it, ascending; of a state not told
+    std::vector<std::string> layers;    ///< channels of the layers beside the picture; empty: none
     std::vector<std::pair<std::string, std::string>> attributes;  ///< of those
 
     /// Rows of layers that are to be in it: as many as whole squares of rays.
@@ -78,10 +78,12 @@ public:
     bool flush();
     /// Whether all of it is on the disk, and the file is closed.
     bool finish();
+    int error() const { return error_; }  ///< the system's number of what failed first; 0: nothing
 
 private:
+    void expect(bool done);
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    bool broken_ = false;
+    int error_ = 0;
     std::vector<float> samples_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "render/app/parts/hash.h"
 #include "render/image/picture_writer.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include <cerrno>
 #include <cstring>
@@ -46,7 +47,7 @@ void write_prepared(const std::string& path, const std::string& fingerprint, con
     std::ofstream out(file.temporary(), std::ios::binary);
     out << bytes << check_of(bytes);
     out.close();
-    if (!out) throw image::FileError("cannot write '" + path + "': " + std::strerror(errno));
+    if (!out) image::fail_by_system(errno, "cannot write '" + path + "': " + std::strerror(errno));
     file.put_in_place(true);
 }
 

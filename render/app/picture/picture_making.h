@@ -53,9 +53,9 @@ private:
     const Settings& settings_;
     StageTimes& times_;
     const trace::Blocks blocks_;
-    const std::size_t strip_;                        ///< rows of blocks that are in memory at a time
-    const bool in_strips_;                           ///< not all rows are in memory
-    std::size_t first_ = 0, last_ = blocks_.size();  ///< the blocks that are asked for
+    const std::size_t strip_;   ///< rows of blocks that are in memory at a time
+    const bool in_strips_;      ///< not all rows are in memory
+    std::vector<bool> others_;  ///< by number: a block that other parts have; empty: there are none
     image::Image picture_;
     trace::RenderStatistics statistics_;
     std::optional<trace::Prepared> prepared_;               ///< found beside the picture by its part

@@ -3,6 +3,7 @@
 #include "render/app/parts/block_file.h"
 #include "render/image/picture_writer.h"
 
+#include <memory>
 #include <string>
 
 namespace app {
@@ -20,9 +21,12 @@ public:
     void finish();
 
 private:
+    BlockWriter& writer();
+
     const BlocksOf of_;
     image::Replacement replacement_;
-    BlockWriter writer_;
+    /// Begun when there is something to write: a task that is killed before leaves no file of it.
+    std::unique_ptr<BlockWriter> writer_;
 };
 
 }  // namespace app

@@ -32,7 +32,6 @@ BlocksOf blocks_of(const PictureTask& task, const trace::Blocks& blocks)
     of.file = task.file;
     of.part = std::max(1, task.run.settings.shard);
     of.parts = std::max(1, task.run.settings.shards);
-    of.last = blocks.size();
     return of;
 }
 
@@ -41,15 +40,14 @@ BlocksOf blocks_of(const PictureTask& task, const trace::Blocks& blocks)
 PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
     : task_(task), settings_(task.run.settings), times_(times), blocks_(task.compiled.options),
       strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
-      in_strips_(strip_ < blocks_.rows() || settings_.shards > 0)
+      in_strips_(strip_ < blocks_.rows())
 {
-    const bool too_large = strip_ < blocks_.rows();
     const double samples =
         (trace::SampledPicture::kBytesPerPixel + (settings_.denoise ? trace::PathFeatures::kBytesPerPixel : 0.0)) *
         settings_.width * settings_.height;
-    if (settings_.sampled() && (too_large || samples > picture_memory(settings_)))
+    if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
         throw TryAgain("not enough memory is free for the samples of so large a picture");
-    if (too_large && !task.layers.kinds.empty())
+    if (in_strips_ && !task.layers.kinds.empty())
         throw TryAgain("not enough memory is free for the layers of so large a picture");
     if (strip_ == 0) throw TryAgain("not enough memory is left for the picture");  // it was when the run began
     picture_.width = settings_.width;
@@ -137,14 +135,15 @@ bool PictureRun::find_indirect_light()
     return !cancelled();
 }
 
-/// What --prepare has left for a part, if it is of this picture.
+/// What --prepare has left, if it is of this picture.
 void PictureRun::find_prepared()
 {
-    if (settings_.shards == 0) return;
+    if (settings_.shards == 0 && !(settings_.prepare && settings_.continue_trace)) return;
     bool other = false;
     const std::string path = prepared_path(settings_, task_.path);
     prepared_ = read_prepared(path, task_.file.fingerprint, other);
-    if (other) task_.run.reporter.note(path + " is of another picture or damaged: the part does without");
+    if (other && settings_.shards > 0)
+        task_.run.reporter.note(path + " is of another picture or damaged: the part does without");
 }
 
 /// Empty: cancelled.
@@ -172,23 +171,24 @@ int PictureRun::prepare()
 bool PictureRun::choose_blocks()
 {
     if (settings_.shards == 0) return true;
+    const auto own = static_cast<std::uint32_t>(settings_.shard - 1);
+    std::vector<std::uint32_t> owners(blocks_.size());
     if (settings_.decides_by_whole()) {
         task_.run.reporter.note(
             "--error, --samples=N% and --denoise look at the whole picture: part 1 is all of it, and "
             "the others are empty");
-        if (settings_.shard > 1) last_ = 0;
     } else {
         const std::vector<double> costs = prepared_ ? prepared_->costs : coarse_costs();
         if (costs.empty()) return false;
-        const std::vector<std::size_t> cut = trace::cut_by_cost(blocks_, costs, settings_.shards);
-        first_ = cut[static_cast<std::size_t>(settings_.shard) - 1];
-        last_ = cut[static_cast<std::size_t>(settings_.shard)];
+        owners = trace::deal_by_cost(blocks_, costs, settings_.shards);
     }
     if (settings_.time > 0.0)
         task_.run.reporter.note("--time gives each part its seconds: the picture is not that of one run");
     BlocksOf of = blocks_of(task_, blocks_);
-    of.first = first_;
-    of.last = last_;
+    for (std::uint32_t i = 0; i < owners.size(); ++i) {
+        others_.push_back(owners[i] != own);
+        if (owners[i] == own) of.wanted.push_back(i);
+    }
     image::Channels layers = layers::layers_of(task_.layers.kinds, task_.layers.names);
     of.layers = std::move(layers.names);
     of.attributes = std::move(layers.attributes);
@@ -201,11 +201,13 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
 {
     trace::RenderOptions options = render_options();
     options.indirect = indirect_.get();
-    options.first = std::max(first_, first * blocks_.per_row());
-    options.last = std::min(last_, last * blocks_.per_row());
-    const auto all = static_cast<double>(blocks_.size());
-    options.progress = [this, all](double share) {
-        task_.run.reporter.progress((share * all - static_cast<double>(first_)) / static_cast<double>(last_ - first_));
+    options.first = first * blocks_.per_row();
+    options.last = last * blocks_.per_row();
+    options.others = others_;
+    const auto all = static_cast<double>(blocks_.size()),
+               away = static_cast<double>(std::count(others_.begin(), others_.end(), true));
+    options.progress = [this, all, away](double share) {
+        task_.run.reporter.progress((share * all - away) / (all - away));
     };
     if (state_) options.done = state_->done();
     options.finished = [this](std::size_t block) {
@@ -299,17 +301,15 @@ int PictureRun::give_up()
 /// Strip by strip. False: cancelled.
 bool PictureRun::trace_blocks()
 {
-    if (first_ == last_) return true;
-    const std::size_t end = (last_ - 1) / blocks_.per_row() + 1;
-    for (std::size_t first = first_ / blocks_.per_row(); first < end; first += strip_) {
-        const std::size_t last = std::min(first + strip_, end);
+    for (std::size_t first = 0; first < blocks_.rows(); first += strip_) {
+        const std::size_t last = std::min(first + strip_, blocks_.rows());
         prepare_strip(first, last);
         if (!(settings_.sampled() ? trace_samples() : trace(first, last))) return false;
         if (growing_) growing_->stop();
         const trace::Block lowest = blocks_[last * blocks_.per_row() - 1];
         if (part_) part_->put(first * blocks_.per_row(), last * blocks_.per_row(), picture_);
-        else if (!write_rows(last == end ? settings_.height : lowest.top + lowest.height)) return false;
-        if (last == end) continue;
+        else if (!write_rows(last == blocks_.rows() ? settings_.height : lowest.top + lowest.height)) return false;
+        if (!in_strips_) continue;
         if (partial_) partial_->show(picture_);
         if (state_) state_->keep(picture_);  // before its rows leave the memory
     }
@@ -329,6 +329,10 @@ int PictureRun::render()
         task_.run.reporter.note("nothing in the scene gives light: no light source, no sky or background, no finish "
                                 "with emission; the picture is black");
     find_prepared();
+    if (settings_.prepare && prepared_) {
+        task_.run.reporter.skipped(prepared_path(settings_, task_.path));
+        return kSuccess;
+    }
     if (!find_indirect_light()) return give_up();
     if (settings_.prepare) return prepare();
     if (!choose_blocks() || !trace_blocks() || cancelled()) return give_up();

@@ -51,8 +51,7 @@ bool PictureRun::trace_samples()
     };
     for (int k = 0; k < task_.moments && !statistics_.cancelled; ++k) {
         trace::RenderOptions options = render_options();
-        options.first = first_;
-        options.last = last_;
+        options.others = others_;
         if (task_.moments > 1)
             options.progress = [&](double share) { task_.run.reporter.progress((k + share) / task_.moments); };
         const auto later = k > 0 ? task_.moment(k) : nullptr;

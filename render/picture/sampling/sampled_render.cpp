@@ -55,7 +55,8 @@ public:
           blocks_(scene.options),
           wanted_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 0)
     {
-        for (std::size_t i = options_.first; i < last(); ++i) {
+        for (std::size_t i = 0; i < blocks_.size(); ++i) {
+            if (!options_.asks_for(i)) continue;
             const Block block = blocks_[i];
             for (int row = 0; row < block.height; ++row)
                 for (int column = 0; column < block.width; ++column)
@@ -104,7 +105,6 @@ private:
         return spread.expected_error();
     }
 
-    std::size_t last() const { return std::min(options_.last, blocks_.size()); }
     std::size_t index(int x, int y) const
     {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
@@ -236,7 +236,8 @@ private:
                                             std::clamp(kBreath * rate_ / (tracers_.threads() * double{csg::kTileRays}),
                                                        1.0, double{kAtOnce} / csg::kTileRays));
         const auto each_block = [&](auto& workers) {
-            return workers.each(options_.first, last(), [&](std::size_t i, auto& worker) {
+            return workers.each(0, blocks_.size(), [&](std::size_t i, auto& worker) {
+                if (!options_.asks_for(i)) return true;
                 const Block block = blocks_[i];
                 for (int top = 0; top < block.height; top += side_)
                     for (int column = 0; column < block.width; column += side_) {

@@ -20,8 +20,8 @@ struct SamplingGoal {
 };
 
 /// Traces passes of samples until the goal is met: docs/error_and_time.md. The same samples for any number of threads
-/// and any instruction set, unless the time ends it. Of `options` `done` is not looked at; of blocks that are not asked
-/// for no pixel gets a sample.
+/// and any instruction set, unless the time ends it. Of `options` blocks and `done` are not looked at, but for
+/// `others`.
 /// \param after_pass called with the share of the goal that is met, when all pixels are as they are shown; may be empty
 /// \param features of the paths are added here; null: nobody asks
 RenderStatistics render_sampled(const plan::CompiledScene& scene, const RenderOptions& options,
