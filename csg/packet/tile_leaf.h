@@ -2,6 +2,8 @@
 
 #include "csg/packet/lanes/extrusion_sieve.h"
 #include "csg/packet/lane_front.h"
+#include "csg/packet/near_bound.h"
+#include "csg/packet/lanes/lane_quartic.h"
 #include "csg/packet/lanes/lane_torus.h"
 #include "csg/packet/merged_ends.h"
 #include "csg/packet/mesh_rays.h"
@@ -63,10 +65,11 @@ struct TileLeaf {
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
         if (kind_of(item.solid) == SolidKind::Quadric && !guarded) return quadric(index, mask);
         if (serves_instance(item, mask)) return within(index, mask);
-        const bool mesh = serves_mesh(item, mask);
-        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh))
+        const bool mesh = serves_mesh(item, mask), quartic = serves_quartic(item, mask);
+        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh || quartic))
             mask = passing(item, mask);
         if (mesh) return faces(index, mask);
+        if (quartic) return pieces(index, QuarticEnds(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask));
         if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
@@ -95,6 +98,8 @@ private:
     /// The rays that the item's guard lets through.
     RayMask passing(const WorldItem& item, RayMask mask) const
     {
+        mask = near_bound(world, world.guards[item.guard], rays, mask,
+                          [&](std::size_t k) { return query.guarded_until(k); });
         RayMask out = 0;
         each_ray(mask, [&](std::size_t k) {
             if (!(rays.limit[k] < 0.0) && passes(world, item, rays.ray(static_cast<int>(k)), rays.t_min[k],
@@ -290,10 +295,24 @@ private:
         const TorusEnds ends(solid, rays, mask, query.any_will_do() && query.first_only(world.items[index]));
         if constexpr (Query::any_will_do())
             if (ends.sure != 0) query.block_all(ends.sure);
-        for (int which = 0; which < 2; ++which)
+        pieces(index, ends);
+        return true;
+    }
+
+    /// Of a solid that has several a ray.
+    template <class Ends>
+    void pieces(std::uint32_t index, const Ends& ends) const
+    {
+        for (int which = 0; which < Ends::kPieces; ++which)
             query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
-        return true;
+    }
+
+    bool serves_quartic(const WorldItem& item, RayMask mask) const
+    {
+        constexpr int kFewest = 3;
+        return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
+               QuarticEnds::serve(world.store.all<Polynomial>()[index_of(item.solid)]);
     }
 
     /// Its second spans are kept while the first are looked at.

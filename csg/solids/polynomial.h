@@ -7,6 +7,32 @@
 
 namespace csg {
 
+namespace detail {
+
+/// Rays in a polynomial's frame, of unit direction and from the place next to the frame's origin.
+template <class V>
+struct PolynomialCourse {
+    Course<V> ray;
+    V length, shift;
+    V lo = V(-kInfinity), hi = V(kInfinity);  ///< roots lie between
+    lanes::Truth<V> possible;                 ///< false: there are none, or no ray
+
+    PolynomialCourse(const PolynomialShape& shape, const Course<V>& given)
+    {
+        const auto dot = [](const V(&a)[3], const V(&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+        length = lanes::root_of(dot(given.d, given.d));
+        for (int k = 0; k < 3; ++k) ray.d[k] = given.d[k] / length;
+        shift = lanes::negated(dot(given.o, ray.d));
+        for (int k = 0; k < 3; ++k) ray.o[k] = given.o[k] + shift * ray.d[k];
+        shape.clip(ray, lo, hi);
+        const lanes::Truth<V> some = length > V(0.0), between = lo < hi;
+        possible = some & between;
+    }
+    V t(const V& root) const { return (shift + root) / length; }
+};
+
+}  // namespace detail
+
 /// A polynomial that is not positive: poly, cubic, quartic (spec 5a, 5.9). Tangents miss. It and its inverse hold the
 /// surface.
 struct Polynomial {
@@ -27,25 +53,23 @@ struct Polynomial {
     void each_span(const Ray& ray, F&& f) const
     {
         const Ray given = local_ray(frame, ray);
-        const double length = std::sqrt(glm::dot(given.direction, given.direction));
-        if (!(length > 0.0)) return;
-        const glm::dvec3 d = given.direction / length;
-        const double shift = -glm::dot(given.origin, d);  // start near the frame's origin
-        const glm::dvec3 p = given.origin + shift * d;
-        double lo = -kInfinity, hi = kInfinity;
-        shape->clip(p, d, lo, hi);
-        if (!(lo < hi)) return;
+        const detail::Course<double> local{{given.origin.x, given.origin.y, given.origin.z},
+                                           {given.direction.x, given.direction.y, given.direction.z}};
+        const detail::PolynomialCourse<double> course(*shape, local);
+        if (!course.possible) return;
+        const auto& [o, way] = course.ray;
+        const glm::dvec3 p(o[0], o[1], o[2]), d(way[0], way[1], way[2]);
         PolynomialShape::Along c;
         shape->along(p, d, c);
         const int degree = shape->degree_along(p, d, c);
         double roots[PolynomialShape::kMostDegree];
-        const int count = shape->changes(c, degree, lo, hi, roots);
+        const int count = shape->changes(c, degree, course.lo, course.hi, roots);
         const double last = c[static_cast<std::size_t>(degree)];
         bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;  // where t goes to minus infinity
         double in = -kInfinity;
         for (int i = 0; i < count; ++i) {
             roots[i] = glm::max(shape->polished(p, d, roots[i]), i > 0 ? roots[i - 1] : -kInfinity);
-            const double t = (shift + roots[i]) / length;
+            const double t = course.t(roots[i]);
             if (inside) f(in, 0u, t, 0u);
             else in = t;
             inside = !inside;

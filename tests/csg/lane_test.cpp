@@ -1,3 +1,4 @@
+#include "csg/packet/lanes/lane_quartic.h"
 #include "csg/packet/lanes/lane_solids.h"
 #include "csg/packet/point_set.h"
 #include "csg/packet/lanes/tile_rays.h"
@@ -146,6 +147,51 @@ TEST_CASE("boxes that stand in one space and in others are met as each is alone"
             });
     }
     CHECK(met > 5000);
+}
+
+TEST_CASE("a quartic in lanes has the pieces of each ray, or leaves it", "[csg][lanes]")
+{
+    int pieces[QuarticEnds::kPieces + 1] = {}, left = 0;
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        Rng rng(seed + 700000);
+        std::vector<double> c(35);
+        for (double& v : c) v = rng.below(3) == 0 ? rng.uniform(-0.5, 0.5) : 0.0;
+        for (const std::size_t fourth_power : {0u, 20u, 30u}) c[fourth_power] += rng.below(4) == 0 ? -1.0 : 1.0;
+        c.back() = rng.uniform(-1.0, 0.3);
+        const Polynomial solid{std::make_shared<PolynomialShape>(4, c), csg_test::random_transform(rng)};
+        RayTile tile{};
+        tile.count = 1 + rng.below(kTileRays);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(tile.count); ++i) {
+            const glm::dvec3 origin = solid.frame.offset + (rng.coin() ? 4.0 : 0.3) * rng.direction();
+            tile.set(i, {origin, direction(rng, origin, solid.frame.offset, solid.frame)}, 0.0, kInfinity);
+        }
+        const TileRays<OwnOrigins> rays(tile);
+        const RayMask asked = rays.all() & ~RayMask{rng.below(8) == 0 ? 0x124u : 0u};
+        const QuarticEnds ends(solid, rays, asked);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
+            const auto has = [k](RayMask mask) { return (mask >> k & 1) != 0; };
+            if (has(ends.unclear)) {
+                ++left;
+                continue;
+            }
+            INFO("seed " << seed << ", ray " << k);
+            Span memory[4];
+            SpanList spans(memory, 4);
+            if (has(asked)) solid.intersect(tile.ray(static_cast<int>(k)), spans);
+            ++pieces[spans.size()];
+            for (std::uint32_t which = 0; which < QuarticEnds::kPieces; ++which) {
+                REQUIRE(has(ends.met[which]) == (which < spans.size()));
+                if (which >= spans.size()) continue;
+                const int vector = static_cast<int>(k) / lanes::kDoubles * lanes::kDoubles;
+                const lanes::Intervals in = ends.piece(static_cast<int>(which), vector);
+                const std::size_t lane = k - static_cast<std::size_t>(vector);
+                REQUIRE(same_bits(in.entry.get(lane), spans[which].in.t));
+                REQUIRE(same_bits(in.exit.get(lane), spans[which].out.t));
+            }
+        }
+    }
+    for (const int count : pieces) CHECK(count > 100);
+    CHECK(left < pieces[1] / 10);
 }
 
 TEST_CASE("what a set of points tells in lanes is what a loop over them finds", "[csg][lanes]")

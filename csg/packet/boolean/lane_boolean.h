@@ -3,6 +3,7 @@
 #include "csg/packet/boolean/lane_piece.h"
 #include "csg/packet/boolean/lane_states.h"
 #include "csg/packet/lanes/lane_solids.h"
+#include "csg/packet/lanes/lane_quartic.h"
 #include "csg/packet/lanes/lane_torus.h"
 #include "csg/tree/face_held.h"
 #include "csg/tree/leaf_spans.h"
@@ -150,7 +151,11 @@ private:
         if (!is_slow(leaf.node)) return meet_in_lanes(k, mask);
         if (kind_of(leaf.solid) == SolidKind::Torus) {
             const Torus& torus = store_.all<Torus>()[index_of(leaf.solid)];
-            if (detail::factors_serve(torus)) return meet_torus(k, torus, mask);
+            if (detail::factors_serve(torus)) return meet_ends(k, TorusEnds(torus, rays_, mask));
+        }
+        if (kind_of(leaf.solid) == SolidKind::Polynomial) {
+            const Polynomial& polynomial = store_.all<Polynomial>()[index_of(leaf.solid)];
+            if (QuarticEnds::serve(polynomial)) return meet_ends(k, QuarticEnds(polynomial, rays_, mask));
         }
         return meet_ray_by_ray(k, mask, scratch);
     }
@@ -210,12 +215,13 @@ private:
         return held;
     }
 
-    RayMask meet_torus(std::uint32_t k, const Torus& torus, RayMask mask)
+    /// Of a solid that has several pieces a ray.
+    template <class Ends>
+    RayMask meet_ends(std::uint32_t k, const Ends& ends)
     {
-        const TorusEnds ends(torus, rays_, mask);
         undecided |= ends.unclear;
         RayMask held = ends.unclear;
-        for (int which = 0; which < 2; ++which) {
+        for (int which = 0; which < Ends::kPieces; ++which) {
             if (ends.met[which] == 0) continue;
             Piece& piece = next_piece(k);
             each_vector(ends.met[which], [&](int i) { held |= put(piece, ends.piece(which, i), i); });

@@ -13,6 +13,8 @@ namespace csg {
 /// packed, so that vectors are full.
 class TorusEnds {
 public:
+    static constexpr int kPieces = 2;
+
     /// Of rays in the mask; the torus is one that detail::factors_serve(). any_will_do: of rays that surely meet it no
     /// more is told.
     template <class Rays>

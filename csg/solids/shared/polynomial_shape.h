@@ -40,15 +40,25 @@ public:
         }
     }
 
+    /// Of a quartic, of a ray or of a ray a lane: along() from the lowest power up.
+    template <class V>
+    detail::Powers<4, V> quartic_along(const detail::Course<V>& ray) const
+    {
+        const double* next = coefficients_.data();
+        return detail::along<0, 4>(next, ray);
+    }
+
     /// Cuts lo to hi down to where o + t d is in the box; hi is not above lo where it never is.
-    void clip(const glm::dvec3& o, const glm::dvec3& d, double& lo, double& hi) const
+    template <class V>
+    void clip(const detail::Course<V>& ray, V& lo, V& hi) const
     {
         if (!boxed_) return;
         for (int axis = 0; axis < 3; ++axis) {
-            const double a = (box_.lower[axis] - o[axis]) / d[axis], b = (box_.upper[axis] - o[axis]) / d[axis];
+            const V a = (V(box_.lower[axis]) - ray.o[axis]) / ray.d[axis],
+                    b = (V(box_.upper[axis]) - ray.o[axis]) / ray.d[axis];
             // Of no number the one before remains.
-            lo = std::max(lo, std::min(a, b));
-            hi = std::min(hi, std::max(a, b));
+            lo = lanes::larger(lo, lanes::smaller(a, b));
+            hi = lanes::smaller(hi, lanes::larger(a, b));
         }
     }
 
@@ -70,12 +80,18 @@ public:
         return degree_ > kLow ? nearer(o, d, t) : t;
     }
 
+    /// Whether the coefficient of the highest power is surely more than rounding.
+    template <class V>
+    lanes::Truth<V> has_degree(const V& last) const
+    {
+        return lanes::size_of(last) > V(rounding() * leading_size_);
+    }
+
     /// What is left of the degree where leading coefficients found by along() are nothing but rounding: such a one
     /// would put a root anywhere.
     int degree_along(const glm::dvec3& o, const glm::dvec3& d, const Along& c) const
     {
-        if (std::abs(c[at(degree_)]) > rounding() * leading_size_) return degree_;
-        return sure_degree(o, d, c);
+        return has_degree(c[at(degree_)]) ? degree_ : sure_degree(o, d, c);
     }
 
 private:
@@ -96,7 +112,8 @@ private:
     void along_of(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
     {
         const double* next = coefficients_.data();
-        const detail::Powers<degree> found = detail::along<0, degree>(next, {{o.x, o.y, o.z}, {d.x, d.y, d.z}});
+        const detail::Course<double> ray{{o.x, o.y, o.z}, {d.x, d.y, d.z}};
+        const detail::Powers<degree, double> found = detail::along<0, degree>(next, ray);
         std::copy(found.begin(), found.end(), out.begin());
     }
     void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const;
