@@ -2,6 +2,7 @@
 
 #include "csg/packet/lanes/extrusion_sieve.h"
 #include "csg/packet/lane_front.h"
+#include "csg/packet/near_bound.h"
 #include "csg/packet/lanes/lane_quartic.h"
 #include "csg/packet/lanes/lane_torus.h"
 #include "csg/packet/merged_ends.h"
@@ -68,7 +69,7 @@ struct TileLeaf {
         if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh || quartic))
             mask = passing(item, mask);
         if (mesh) return faces(index, mask);
-        if (quartic) return quartics(index, mask);
+        if (quartic) return pieces(index, QuarticEnds(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask));
         if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
@@ -97,9 +98,8 @@ private:
     /// The rays that the item's guard lets through.
     RayMask passing(const WorldItem& item, RayMask mask) const
     {
-        const BoundingGuard& guard = world.guards[item.guard];
-        if (guard.programs.size() == 1 && world.programs[guard.programs[0]].nodes.size() == 1)
-            mask = near_bound(world.programs[guard.programs[0]].nodes[0], guard, mask);
+        mask = near_bound(world, world.guards[item.guard], rays, mask,
+                          [&](std::size_t k) { return query.guarded_until(k); });
         RayMask out = 0;
         each_ray(mask, [&](std::size_t k) {
             if (!(rays.limit[k] < 0.0) && passes(world, item, rays.ray(static_cast<int>(k)), rays.t_min[k],
@@ -107,26 +107,6 @@ private:
                 out |= RayMask{1} << k;
         });
         return out;
-    }
-
-    /// Without those that surely miss a bound that is one convex solid, if it is: passes() of many rays.
-    RayMask near_bound(const Node& bound, const BoundingGuard& guard, RayMask mask) const
-    {
-        if (bound.inverted || !lanes::has_test(world.store, bound.solid)) return mask;
-        RayMask met = 0;
-        lanes::with_test(world.store, bound.solid, rays, [&](const auto& at) {
-            each_vector(mask, [&](int i) {
-                alignas(64) std::array<double, lanes::kDoubles> until;
-                for (std::size_t k = 0; k < until.size(); ++k)
-                    until[k] = query.guarded_until(static_cast<std::size_t>(i) + k);
-                const lanes::Double end = lanes::Double::load_aligned(until.data());
-                const lanes::Intervals in = at(i);
-                const auto within = in.met & (in.exit >= lanes::Double::load_aligned(rays.t_min.data() + i)) &
-                                    (in.entry <= end);
-                met |= RayMask{lanes::mask(guard.shadows_pass ? within | (end < lanes::beyond()) : within)} << i;
-            });
-        });
-        return mask & met;
     }
 
     bool serves_mesh(const WorldItem& item, RayMask mask) const
@@ -315,10 +295,17 @@ private:
         const TorusEnds ends(solid, rays, mask, query.any_will_do() && query.first_only(world.items[index]));
         if constexpr (Query::any_will_do())
             if (ends.sure != 0) query.block_all(ends.sure);
-        for (int which = 0; which < 2; ++which)
+        pieces(index, ends);
+        return true;
+    }
+
+    /// Of a solid that has several a ray.
+    template <class Ends>
+    void pieces(std::uint32_t index, const Ends& ends) const
+    {
+        for (int which = 0; which < Ends::kPieces; ++which)
             query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
-        return true;
     }
 
     bool serves_quartic(const WorldItem& item, RayMask mask) const
@@ -326,14 +313,6 @@ private:
         constexpr int kFewest = 3;
         return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
                QuarticEnds::serve(world.store.all<Polynomial>()[index_of(item.solid)]);
-    }
-
-    void quartics(std::uint32_t index, RayMask mask) const
-    {
-        const QuarticEnds ends(world.store.all<Polynomial>()[index_of(world.items[index].solid)], rays, mask);
-        for (int which = 0; which < QuarticEnds::kPieces; ++which)
-            query.solid(index, ends.met[which], [&](int i) { return ends.piece(which, i); });
-        for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
     }
 
     /// Its second spans are kept while the first are looked at.
