@@ -172,7 +172,7 @@ std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const c
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
 {
     if (is_light(object)) return;
-    const Inherited own = below(object, above);
+    Inherited own = below(object, above);
     if (!object.details->bounded_by.empty() && !object.details->bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.details->clipped_by.empty() || object.inverse;
@@ -197,7 +197,7 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
         outer_bounds_ = outer;
         return;
     }
-    add_alone(object, own);
+    add_alone(object, std::move(own));
 }
 
 std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const Inherited& own)
@@ -208,9 +208,8 @@ std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const In
     return static_cast<std::uint32_t>(out_.objects.size() - 1);
 }
 
-void GeometryCompiler::add_alone(const scene::Object& object, const Inherited& inherited)
+void GeometryCompiler::add_alone(const scene::Object& object, Inherited own)
 {
-    Inherited own = inherited;
     aim_photons(object, own);
     object_ = add_object(object, own);
     bounds_inside_ = false;

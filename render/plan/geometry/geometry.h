@@ -80,7 +80,7 @@ private:
                    csg::BoundingGuard& guard);
     bool held(const scene::Object& object, const csg::Program& drawn, const csg::Program& bound);
     csg::Tree bounded(csg::Tree made, const scene::Object& operand, const Inherited& own);
-    void add_alone(const scene::Object& object, const Inherited& own);
+    void add_alone(const scene::Object& object, Inherited own);
     /// An item that these kinds of rays see.
     void add_tree(csg::Tree whole, const scene::Object& object, const Inherited& own, std::uint8_t kinds);
     std::uint32_t add_object(const scene::Object& object, const Inherited& own);
