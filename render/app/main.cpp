@@ -53,7 +53,7 @@ bool is_tool(const Words& arguments)
 int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
 {
     if (is_compare(arguments)) return app::call({"compare", app::compare_help, app::compare_command}, arguments);
-    if (!arguments.empty() && arguments[0] == "join")
+    if (!arguments.empty() && arguments[0] == "join" && !app::has_word(arguments, {"--movie"}))
         return app::call({"join", app::join_help, app::join_command}, arguments);
     if (is_tool(arguments)) become_tools(arguments, settings.console_style == app::ConsoleStyle::Povray);
     if (app::wants_help(arguments)) {

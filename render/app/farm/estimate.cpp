@@ -1,5 +1,7 @@
 #include "render/app/farm/estimate.h"
 
+#include "numbers/functions/functions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +53,7 @@ JobEstimate filled_in(const std::vector<std::pair<std::size_t, FrameCost>>& know
     for (std::size_t i = 0; i < count; ++i) out.frames.push_back({reading[i], passes[i], picture[i], memory[i]});
     for (const auto& [place, cost] : known) out.frames[place] = cost;
     const double uneven = unevenness(with_values(known, [](const FrameCost& c) { return c.seconds(); }));
-    out.error = std::hypot(error, count > known.size() ? uneven : 0.0);
+    out.error = numbers::hypot(error, count > known.size() ? uneven : 0.0);
     out.measured = static_cast<int>(known.size());
     return out;
 }
@@ -115,7 +117,7 @@ JobEstimate estimate_job(const FarmJob& job, const Cancellation& cancel)
     const double sampled = static_cast<double>((count + step - 1) / step) + 1.0;
     std::size_t size = 1;
     while (size + 1 < sizes.size() && sampled * cost_of(sizes[size + 1]) < std::max(kCheap, kShare * whole)) ++size;
-    const double scale = 0.125 * std::pow(2.0, static_cast<double>(std::min(size, sizes.size() - 1)));
+    const double scale = 0.125 * numbers::pow(2.0, static_cast<double>(std::min(size, sizes.size() - 1)));
     for (std::size_t i = 0; i < count; i = i + step < count || i + 1 == count ? i + step : count - 1) {
         const SizedCost cost = measure_frame(job, job.list.frames[i], scale, cancel);
         if (cancel.requested) return {};

@@ -1,5 +1,7 @@
 #include "render/app/farm/size_model.h"
 
+#include "numbers/functions/functions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,7 @@ constexpr double kTracedPixel = 16.0;  // bytes
 double growth_of(double small, double large, double ratio, double least, double most)
 {
     if (!(small > 0.0) || !(large > 0.0)) return most;
-    return std::clamp(std::log(large / small) / std::log(ratio), least, most);
+    return std::clamp(numbers::log(large / small) / numbers::log(ratio), least, most);
 }
 
 /// What a ray of antialiasing costs against a pixel without, from two sizes. Edges are dear: neighbours hit other
@@ -54,8 +56,8 @@ FrameCost SizeModel::at(double pixels, const SizedCost& measured) const
     const double ratio = pixels / measured.pixels;
     FrameCost out;
     out.reading = measured.reading + measured.rest;
-    out.passes = measured.passes * std::pow(ratio, passes_growth_);
-    const double samples = measured.supersamples * std::pow(ratio, edges_growth_);
+    out.passes = measured.passes * numbers::pow(ratio, passes_growth_);
+    const double samples = measured.supersamples * numbers::pow(ratio, edges_growth_);
     out.picture = measured.picture * (pixels + sample_weight_ * samples) /
                   (measured.pixels + sample_weight_ * measured.supersamples);
     out.memory = measured.memory + kTracedPixel * std::max(0.0, pixels - measured.pixels);

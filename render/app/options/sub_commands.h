@@ -16,7 +16,8 @@ struct SubCommand {
 inline constexpr std::array kSubCommands = {
     SubCommand{"compare", "A B [--out diff.png] [--flip] [--tolerance n] [--share x]",
                "how far two pictures are apart"},
-    SubCommand{"join", "OUT PART... | --check PART...", "one picture of the parts that --shard has rendered"},
+    SubCommand{"join", "OUT PART... | --check PART... | --movie OUT FRAME...",
+               "one picture of the parts that --shard has rendered, or a film of frames"},
     SubCommand{"plan", "SCENE [--tasks=N] [--json] [--from=FOLDER] [options]",
                "what a job costs on many machines; docs/farm.md"},
     SubCommand{"farm", "SCENE --for=slurm|openjd|make|shell [--tasks=N] [-o FOLDER] [options]",

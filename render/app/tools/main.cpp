@@ -2,6 +2,7 @@
 #include "render/app/editor/lint_command.h"
 #include "render/app/farm/farm_command.h"
 #include "render/app/farm/plan_command.h"
+#include "render/app/film/movie_command.h"
 #include "render/app/lsp/lsp_command.h"
 #include "render/app/options/sub_commands.h"
 #include "render/app/pixel/pixel_command.h"
@@ -22,6 +23,7 @@ constexpr std::array kCalled = {
     app::Called{"farm", app::farm_help, app::cancellable<app::farm_command>},
     app::Called{"fmt", app::fmt_help, app::fmt_command},
     app::Called{"info", app::info_help, app::cancellable<app::info_command>},
+    app::Called{"join", app::movie_help, app::movie_command},  // with --movie; of parts the renderer does it
     app::Called{"lint", app::lint_help, app::lint_command},
     app::Called{"lsp", app::lsp_help, app::lsp_command},
     app::Called{"mesh", app::mesh_help, app::cancellable<app::mesh_command>},
@@ -31,7 +33,7 @@ constexpr std::array kCalled = {
     app::Called{"watch", app::watch_help, app::cancellable<app::watch_command>},
 };
 // clang-format on
-static_assert(kCalled.size() + 2 == app::kSubCommands.size(), "but for compare and join, which the renderer does");
+static_assert(kCalled.size() + 1 == app::kSubCommands.size(), "but for compare, which the renderer does");
 
 int run(const app::Words& arguments, app::Settings&, app::Remains&)
 {
