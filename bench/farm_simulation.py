@@ -30,28 +30,39 @@ def simulate(tasks, first, join, read, write, nodes, seed):
         pipe = max(pipe, at) + size / BANDWIDTH
         return pipe
     begin = START + through_pipe(0.0, read) + first if first else 0.0
-    free = [(begin, node) for node in range(nodes)]
-    heapq.heapify(free)
     left = list(tasks)[::-1]
-    again = []  # (when, seconds) of tasks that were preempted
-    end = begin
-    while left or again:
-        at, node = heapq.heappop(free)
-        if again and (not left or again[0][0] <= at):
-            ready, seconds = heapq.heappop(again)
-            at = max(at, ready)
-        else:
-            seconds = left.pop()
+    events = [(begin, 0, "free", node, 0.0) for node in range(nodes)]  # when, order, what, node, seconds that are left of its task
+    idle, count, end = [], 0, begin
+
+    def later(at, what, node, seconds):
+        nonlocal count
+        count += 1
+        heapq.heappush(events, (at, count, what, node, seconds))
+
+    def hand_out(at, node, seconds):
+        nonlocal dispatch
         dispatch = max(dispatch, at) + DISPATCH
-        at = through_pipe(dispatch + START, read)
-        if rng.random() < PREEMPTED:
-            ran = rng.uniform(0.0, seconds)
-            at += ran * speed[node]
-            heapq.heappush(again, (at, seconds - max(0.0, ran - STATE)))
+        later(dispatch + START, "read", node, seconds)
+    while events:
+        at, _, what, node, seconds = heapq.heappop(events)
+        if what == "free":
+            if left:
+                hand_out(at, node, left.pop())
+            else:
+                idle.append(node)
+        elif what == "read":
+            ready = through_pipe(at, read)
+            ran = rng.uniform(0.0, seconds) if rng.random() < PREEMPTED else seconds
+            later(ready + ran * speed[node], "rendered" if ran == seconds else "preempted", node,
+                  0.0 if ran == seconds else seconds - max(0.0, ran - STATE))
+        elif what == "preempted":
+            left.append(seconds)
+            later(at, "free", node, 0.0)
+            if idle:
+                later(at, "free", idle.pop(), 0.0)
         else:
-            at = through_pipe(at + seconds * speed[node], write)
-            end = max(end, at)
-        heapq.heappush(free, (at, node))
+            end = max(end, through_pipe(at, write))
+            later(pipe, "free", node, 0.0)
     return end + START + join
 
 
