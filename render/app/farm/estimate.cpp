@@ -14,7 +14,7 @@ using Known = std::vector<std::pair<std::size_t, double>>;
 constexpr double kCheap = 2.0, kShare = 0.02;
 constexpr std::size_t kSampledFrames = 12;
 
-double cost_of(const SizedCost& cost) { return cost.reading + cost.rest + cost.passes + cost.picture; }
+double cost_of(const SizedCost& cost) { return cost.reading + cost.rest + cost.passes + cost.picture + cost.writing; }
 
 /// Sizes of one frame: an eighth as wide, a quarter, and larger ones as long as they cost little.
 std::vector<SizedCost> sizes_of(const FarmJob& job, const Frame& frame, double budget, const Cancellation& cancel)

@@ -37,7 +37,7 @@ bool read_cost(const json& frame, SizedCost& cost)
     const auto phases = frame.find("phases"), counts = frame.find("counts");
     if (phases == frame.end() || counts == frame.end() || !frame.value("picture", json()).is_string()) return false;
     cost.reading = number_in(*phases, "parse_cpu_seconds") + number_in(*phases, "plan_cpu_seconds");
-    cost.rest = number_in(*phases, "write_cpu_seconds");
+    cost.writing = number_in(*phases, "write_cpu_seconds");
     for (const json& pass : frame.value("passes", json::array())) cost.passes += number_in(pass, "cpu_seconds");
     cost.picture = std::max(0.0, number_in(*phases, "trace_cpu_seconds") - cost.passes);
     cost.supersamples = number_in(*counts, "supersamples");
@@ -80,7 +80,8 @@ SizedCost measure_frame(const FarmJob& job, const Frame& frame, double scale, co
         throw std::runtime_error("the renderer says nothing of what it did");
     cost.pixels = static_cast<double>(width) * height;
     cost.memory = number_in(told, "peak_memory_bytes");
-    cost.rest = std::max(cost.rest, number_in(told, "processor_seconds") - cost.reading - cost.passes - cost.picture);
+    cost.rest =
+        std::max(0.0, number_in(told, "processor_seconds") - cost.reading - cost.passes - cost.picture - cost.writing);
     return cost;
 }
 
@@ -97,8 +98,8 @@ std::map<int, FrameCost> finished_frames(const std::string& folder)
         for (const json& frame : told.value("frames", json::array())) {
             SizedCost cost;
             if (!frame.is_object() || !read_cost(frame, cost)) continue;
-            found[static_cast<int>(number_in(frame, "number"))] = {cost.reading + cost.rest, cost.passes, cost.picture,
-                                                                   number_in(told, "peak_memory_bytes")};
+            found[static_cast<int>(number_in(frame, "number"))] = {
+                cost.reading, cost.passes, cost.picture + cost.writing, number_in(told, "peak_memory_bytes")};
         }
     }
     return found;

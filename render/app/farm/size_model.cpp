@@ -47,7 +47,7 @@ SizeModel::SizeModel(const std::vector<SizedCost>& costs)
     edges_growth_ = growth_of(small.supersamples, large.supersamples, ratio, 0.3, 1.0);
     if (edges_growth_ > kLines) edges_growth_ = kLines + kTowardsLines * (edges_growth_ - kLines);
     if (tells(small)) sample_weight_ = weight_of(small, large);
-    const double said = at(large.pixels, small).seconds(), took = large.reading + large.passes + large.picture;
+    const double said = at(large.pixels, small).seconds(), took = at(large.pixels, large).seconds();
     error_ = took > 0.0 ? std::abs(said / took - 1.0) : 0.0;
 }
 
@@ -59,7 +59,8 @@ FrameCost SizeModel::at(double pixels, const SizedCost& measured) const
     out.passes = measured.passes * numbers::pow(ratio, passes_growth_);
     const double samples = measured.supersamples * numbers::pow(ratio, edges_growth_);
     out.picture = measured.picture * (pixels + sample_weight_ * samples) /
-                  (measured.pixels + sample_weight_ * measured.supersamples);
+                      (measured.pixels + sample_weight_ * measured.supersamples) +
+                  measured.writing * ratio;
     out.memory = measured.memory + kTracedPixel * std::max(0.0, pixels - measured.pixels);
     return out;
 }

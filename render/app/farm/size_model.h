@@ -11,8 +11,9 @@ struct SizedCost {
     double passes = 0.0;        ///< photons, radiosity
     double picture = 0.0;       ///< tracing without those
     double supersamples = 0.0;  ///< rays of antialiasing
-    double rest = 0.0;          ///< start, writing
-    double memory = 0.0;        ///< bytes at most
+    double writing = 0.0;
+    double rest = 0.0;    ///< to start
+    double memory = 0.0;  ///< bytes at most
 };
 
 /// Seconds and bytes of a frame in a picture of another size.
