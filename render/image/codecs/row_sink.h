@@ -17,7 +17,7 @@ struct FileShape {
     int bits = 8;         ///< of an integer: the largest is 2^bits - 1
     TransferCurve curve;  ///< that the values are stored with
     const char* software = "";
-    std::string fingerprint;  ///< see FileSettings
+    std::string fingerprint = {};  ///< see FileSettings
 };
 
 /// A picture file that grows row by row, from the top. One that was not finished is of no use.
