@@ -63,10 +63,10 @@ def scene(thing=("", ""), more=""):
 
 def run(whittle, text, folder, name, counted, more=()):
     """The picture's bytes, and its trace instructions where they are counted."""
-    source, picture = folder / f"{name}.pov", folder / f"{name}.png"
+    source, picture = folder / f"{name}.pov", folder / f"{name}.ppm"  # no text of the scene's own in it
     source.write_text(text)
     valgrind = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", *(f"--toggle-collect={f}" for f in COUNTED)]
-    done = subprocess.run([*(valgrind if counted else []), whittle, f"+I{source}", f"+O{picture}", "+W96", "+H72", "-A", "-D", "+WT1",
+    done = subprocess.run([*(valgrind if counted else []), whittle, f"+I{source}", f"+O{picture}", "+FP", "+W96", "+H72", "-A", "-D", "+WT1",
                            "--isa=v3", "--quiet", *more], capture_output=True, text=True)
     found = re.search(r"Collected : (\d+)", done.stderr)
     if done.returncode != 0 or (counted and not found):

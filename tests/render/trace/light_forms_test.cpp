@@ -265,7 +265,9 @@ TEST_CASE("cones and distance dim a light in lanes as they do point by point", "
             REQUIRE(seen.direction(k) == alone.direction);
             REQUIRE(seen.distance[k] == alone.distance);
             const glm::vec3 expected = alone.color;
-            REQUIRE(light.color * static_cast<float>(share[k]) == expected);
+            const glm::vec3 found = light.color * static_cast<float>(share[k]);
+            // Behind a light whose rays are parallel distances are negative, and most powers of those are no numbers.
+            REQUIRE((found == expected || (std::isnan(found.x) && std::isnan(expected.x))));
             (expected == glm::vec3(0) ? dark : dimmed) += expected == light.color ? 0 : 1;
         }
     }
