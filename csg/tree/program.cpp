@@ -324,7 +324,8 @@ std::vector<MergedSolid> merged_solids(const Program& program, const SolidStore&
     for (std::uint32_t i = 1; i < program.nodes.size(); ++i) {
         const Node& node = program.nodes[i];
         if (node.op != Op::Leaf || node.inverted || node.draws_alone || node.max_spans == 0) return {};
-        MergedSolid made{.node = i};
+        MergedSolid made;
+        made.node = i;
         Transform frame;
         Aabb space;
         with_solid(store, node.solid, [&](const auto& solid) {

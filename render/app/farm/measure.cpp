@@ -17,7 +17,7 @@
 namespace app {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 std::string text_of_file(const std::string& path)
 {
@@ -25,20 +25,20 @@ std::string text_of_file(const std::string& path)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-double number_in(const json& object, const char* name)
+double number_in(const Json& object, const char* name)
 {
     const auto found = object.find(name);
     return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
 /// What a frame of a run's --json cost. False: it was not rendered to the end.
-bool read_cost(const json& frame, SizedCost& cost)
+bool read_cost(const Json& frame, SizedCost& cost)
 {
     const auto phases = frame.find("phases"), counts = frame.find("counts");
-    if (phases == frame.end() || counts == frame.end() || !frame.value("picture", json()).is_string()) return false;
+    if (phases == frame.end() || counts == frame.end() || !frame.value("picture", Json()).is_string()) return false;
     cost.reading = number_in(*phases, "parse_cpu_seconds") + number_in(*phases, "plan_cpu_seconds");
     cost.writing = number_in(*phases, "write_cpu_seconds");
-    for (const json& pass : frame.value("passes", json::array())) cost.passes += number_in(pass, "cpu_seconds");
+    for (const Json& pass : frame.value("passes", Json::array())) cost.passes += number_in(pass, "cpu_seconds");
     cost.picture = std::max(0.0, number_in(*phases, "trace_cpu_seconds") - cost.passes);
     cost.supersamples = number_in(*counts, "supersamples");
     return true;
@@ -75,8 +75,8 @@ SizedCost measure_frame(const FarmJob& job, const Frame& frame, double scale, co
     if (status != 0)
         throw std::runtime_error("the renderer fails on a small picture: " + text_of_file(scratch / "told"));
     SizedCost cost;
-    const json told = json::parse(text_of_file(scratch / "a.json"), nullptr, false);
-    if (!told.is_object() || told.value("frames", json::array()).size() != 1 || !read_cost(told["frames"][0], cost))
+    const Json told = Json::parse(text_of_file(scratch / "a.json"), nullptr, false);
+    if (!told.is_object() || told.value("frames", Json::array()).size() != 1 || !read_cost(told["frames"][0], cost))
         throw std::runtime_error("the renderer says nothing of what it did");
     cost.pixels = static_cast<double>(width) * height;
     cost.memory = number_in(told, "peak_memory_bytes");
@@ -93,9 +93,9 @@ std::map<int, FrameCost> finished_frames(const std::string& folder)
     std::map<int, FrameCost> found;
     for (const auto& entry : files) {
         if (entry.path().extension() != ".json") continue;
-        const json told = json::parse(text_of_file(entry.path().string()), nullptr, false);
+        const Json told = Json::parse(text_of_file(entry.path().string()), nullptr, false);
         if (!told.is_object()) continue;  // one that is being written
-        for (const json& frame : told.value("frames", json::array())) {
+        for (const Json& frame : told.value("frames", Json::array())) {
             SizedCost cost;
             if (!frame.is_object() || !read_cost(frame, cost)) continue;
             found[static_cast<int>(number_in(frame, "number"))] = {

@@ -86,10 +86,10 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
     if (texture.kind == Texture::Kind::Average) {
         out.fill(0.0f);
         float weights = 0.0f;
-        for (std::uint32_t i = 0; i < texture.count; ++i) {
-            const float weight = set.keys[texture.first + i];
+        for (std::uint32_t entry = 0; entry < texture.count; ++entry) {
+            const float weight = set.keys[texture.first + entry];
             weights += weight;
-            mix(context, entries[i], count, found);
+            mix(context, entries[entry], count, found);
             for (TileFloats TileColors::*channel : kChannels)
                 each_part(count, 0, [&](std::size_t i, FloatMask) {
                     (part(out.*channel, i) + FloatPart(weight) * part(found.*channel, i))

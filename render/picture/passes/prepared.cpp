@@ -34,7 +34,7 @@ bool take(std::string_view& bytes, std::vector<Thing>& things)
 
 }  // namespace
 
-Prepared::Prepared(const IndirectLight* light, std::vector<double> costs) : costs(std::move(costs))
+Prepared::Prepared(const IndirectLight* light, std::vector<double> of_places) : costs(std::move(of_places))
 {
     if (light == nullptr) return;
     photons = {light->photons.photons(), light->media_photons.photons()};

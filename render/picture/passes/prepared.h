@@ -21,7 +21,7 @@ struct Prepared {
 
     Prepared() = default;
     /// \param light  null: the scene has none
-    Prepared(const IndirectLight* light, std::vector<double> costs);
+    Prepared(const IndirectLight* light, std::vector<double> of_places);
 };
 
 std::string bytes_of(const Prepared& prepared);
