@@ -40,7 +40,8 @@ template <class T>
 csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const glm::dvec2& size)
 {
     const T zero(0.0), one(1.0), sx(size.x), sy(size.y), beside = x * x + z * z;
-    const csg::lanes::Truth<T> left = x<zero, right = x> one, low = y<zero, high = y> one, off_axis = !(beside == zero);
+    const csg::lanes::Truth<T> left = (x < zero), right = (x > one), low = (y < zero), high = (y > one),
+                               off_axis = !(beside == zero);
     switch (image.projection) {
     case Image::Projection::Planar:
         x = numbers::fmod(x * sx, sx);
