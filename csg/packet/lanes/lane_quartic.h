@@ -14,13 +14,7 @@ public:
     /// Of one that has no fourth powers all rays would be left to be asked one by one.
     static bool serve(const Polynomial& solid)
     {
-        constexpr int kDegree = 4;
-        if (solid.shape->degree() != kDegree) return false;
-        const double* next = solid.shape->coefficients().data();
-        for (int i = kDegree; i >= 0; --i)
-            for (int j = kDegree - i; j >= 0; next += kDegree - i - j + 1, --j)
-                if (*next != 0.0) return true;
-        return false;
+        return solid.shape->degree() == 4 && solid.shape->has_highest_powers();
     }
 
     /// Of rays in the mask.

@@ -23,6 +23,7 @@ public:
     PolynomialShape(int degree, std::vector<double> coefficients);
 
     int degree() const { return degree_; }
+    bool has_highest_powers() const { return leading_size_ > 0.0; }
     const std::vector<double>& coefficients() const { return coefficients_; }
     /// Of where it is not positive; everything where that has no end or nothing is known.
     const Aabb& box() const { return box_; }
