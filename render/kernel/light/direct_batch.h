@@ -2,8 +2,8 @@
 
 #include "render/texture/evaluate_points.h"
 #include "render/kernel/light/bent_normals.h"
-#include "render/kernel/tile/lane_masks.h"
 #include "render/kernel/light/direct_light.h"
+#include "render/kernel/light/row_colors.h"
 #include "render/kernel/light/row_light.h"
 #include "render/kernel/light/shade_light.h"
 #include "render/kernel/record/recorder.h"
@@ -363,45 +363,7 @@ private:
     void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
         tell<&Recorder::pigments>(scratch_, at, hits, clear, c);
-        if (few(hits)) return color_each(at, hits, clear, c);
-        alignas(64) TileFloats alpha;
-        alpha.fill(1.0f);
-        if (clear != 0 && set_.legacy_opacity) {
-            for_each_hit(hits & clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
-        } else if (clear != 0) {
-            each_part(count_, clear, [&](std::size_t i, FloatMask counts) {
-                const FloatPart one(1.0f);
-                counts.chosen(one - part(c.filter, i) - part(c.transmit, i), one).store_aligned(alpha.data() + i);
-            });
-        }
-        if (context_.indirect != nullptr)
-            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
-                here.chosen(part(alpha, i), part(at.alpha, i)).store_aligned(at.alpha.data() + i);
-            });
-        const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
-            TileFloats &pigment = at.pigment.*channel, &glow = at.glow.*channel;
-            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
-                const FloatPart own = part(from, i);
-                here.chosen(own, part(pigment, i)).store_aligned(pigment.data() + i);
-                here.chosen(own * part(at.emitted.*channel, i) * part(alpha, i), part(glow, i))
-                    .store_aligned(glow.data() + i);
-            });
-        };
-        component(c.red, &TileColors::red);
-        component(c.green, &TileColors::green);
-        component(c.blue, &TileColors::blue);
-        alignas(64) TileLanes diffuse;
-        each_place(count_, [&](std::size_t k) {
-            diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
-        });
-        using csg::lanes::Double;
-        constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); i += csg::lanes::kDoubles) {
-            double* to = at.diffuse.data() + i;
-            xsimd::select(csg::lanes::lanes_of(static_cast<std::uint32_t>(hits >> i & kVector)),
-                          Double::load_aligned(diffuse.data() + i), Double::load_aligned(to))
-                .store_aligned(to);
-        }
+        color_rows(at, count_, {hits, clear, set_.legacy_opacity, context_.indirect != nullptr}, c);
     }
 
     /// A dull layer that is wholly clear shows no light, so no lamp is asked for it.
@@ -409,20 +371,6 @@ private:
     {
         for_each_hit(hits, [&](std::size_t k) {
             if (texture::opacity(c.at(k), set_.legacy_opacity) == 0.0f) lit_ &= ~(HitMask{1} << k);
-        });
-    }
-
-    /// color() hit by hit, for few hits.
-    void color_each(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
-    {
-        for_each_hit(hits, [&](std::size_t k) {
-            const scene::Color own = c.at(k);
-            const float alpha = has(clear, k) ? texture::opacity(own, set_.legacy_opacity) : 1.0f;
-            if (context_.indirect != nullptr) at.alpha[k] = alpha;
-            const glm::vec3 rgb = own.rgb();
-            at.pigment.set(k, rgb);
-            at.glow.set(k, rgb * at.emitted[k] * alpha);
-            at.diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha);
         });
     }
 
