@@ -62,7 +62,8 @@ def main():
         count += 1
         good += abs(off) <= 0.2
         what = f"{FRAMES} frames" if moves else "still"
-        print(f"| {name}, {what}, {size} | {said:.2f} | {took:.2f} | {100 * off:+.0f} % | {100 * plan['expected_error']:.0f} % | "
+        expected = "not known" if plan["expected_error"] is None else f"{100 * plan['expected_error']:.0f} %"
+        print(f"| {name}, {what}, {size} | {said:.2f} | {took:.2f} | {100 * off:+.0f} % | {expected} | "
               f"{plan['measuring_seconds']:.2f} |", flush=True)
     print(f"\n{good} of {count} within 20 %")
 

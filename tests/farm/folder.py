@@ -57,6 +57,11 @@ def plans(program, folder):
     want(plan["measured_frames"] == 3, "three frames are known")
     took = sum(f["phases"]["trace_cpu_seconds"] for f in json.loads((done / "1.json").read_text())["frames"])
     want(0.5 < plan["sum_seconds"] / (4 * took) < 3, f"the sum goes by them: {plan['sum_seconds']} of 4 times {took}")
+    want(plan["expected_error"] is not None, "three frames tell how even they are")
+    # One tells nothing of the others.
+    subprocess.run([program, *job.words, "--frames=6", "--quiet", "+WT1", f"--json={done}/1.json"], cwd=job.folder, check=True)
+    told = subprocess.run([program, "plan", *job.words, "--from=done"], cwd=job.folder, capture_output=True, text=True, check=True)
+    want("how far off is not known, told by 1 finished frame" in told.stdout, f"what one frame tells: {told.stdout}")
 
 
 def folders(program, folder):

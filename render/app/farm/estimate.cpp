@@ -42,7 +42,8 @@ double off(const SizedCost& measured, const SizeModel& model, double pixels)
 }
 
 /// Frames of which some are known.
-JobEstimate filled_in(const std::vector<std::pair<std::size_t, FrameCost>>& known, std::size_t count, double error)
+JobEstimate filled_in(const std::vector<std::pair<std::size_t, FrameCost>>& known, std::size_t count,
+                      std::optional<double> error)
 {
     const auto all = [&](double (*value)(const FrameCost&)) { return between(with_values(known, value), count); };
     const auto reading = all([](const FrameCost& c) { return c.reading; });
@@ -52,8 +53,11 @@ JobEstimate filled_in(const std::vector<std::pair<std::size_t, FrameCost>>& know
     JobEstimate out;
     for (std::size_t i = 0; i < count; ++i) out.frames.push_back({reading[i], passes[i], picture[i], memory[i]});
     for (const auto& [place, cost] : known) out.frames[place] = cost;
-    const double uneven = unevenness(with_values(known, [](const FrameCost& c) { return c.seconds(); }));
-    out.error = numbers::hypot(error, count > known.size() ? uneven : 0.0);
+    if (count > known.size()) {
+        const auto uneven = unevenness(with_values(known, [](const FrameCost& c) { return c.seconds(); }));
+        error = error && uneven ? std::optional(numbers::hypot(*error, *uneven)) : std::nullopt;
+    }
+    out.error = error;
     out.measured = static_cast<int>(known.size());
     return out;
 }
@@ -74,8 +78,9 @@ std::vector<double> between(const Known& known, std::size_t count)
     return out;
 }
 
-double unevenness(const Known& known)
+std::optional<double> unevenness(const Known& known)
 {
+    if (known.size() < 3) return std::nullopt;
     double off = 0.0, sum = 0.0;
     for (std::size_t k = 1; k + 1 < known.size(); ++k) {
         const auto &before = known[k - 1], &after = known[k + 1];

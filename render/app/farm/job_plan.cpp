@@ -124,8 +124,10 @@ std::string plan_text(const FarmJob& job, const JobPlan& plan)
     text += fmt::format("sum {} s, critical path {} s, give a task {:.0f} MiB; ", seconds_text(plan.sum),
                         seconds_text(plan.critical_path), std::ceil(plan.memory / kMebibyte));
     const char* const how = job.from.empty() ? "small" : "finished";
-    return text + fmt::format("expected to be off by {:.0f} %, told by {} {} frame{} in {} s\n", 100.0 * plan.error,
-                              plan.measured, how, plan.measured == 1 ? "" : "s", seconds_text(plan.spent));
+    text += plan.error ? fmt::format("expected to be off by {:.0f} %", 100.0 * *plan.error)
+                       : std::string("how far off is not known");
+    return text + fmt::format(", told by {} {} frame{} in {} s\n", plan.measured, how, plan.measured == 1 ? "" : "s",
+                              seconds_text(plan.spent));
 }
 
 std::string plan_json(const FarmJob& job, const JobPlan& plan)
@@ -148,7 +150,9 @@ std::string plan_json(const FarmJob& job, const JobPlan& plan)
     json.key("sum_seconds").number(plan.sum);
     json.key("critical_path_seconds").number(plan.critical_path);
     json.key("task_mib").integer(static_cast<std::int64_t>(std::ceil(plan.memory / kMebibyte)));
-    json.key("expected_error").number(plan.error);
+    json.key("expected_error");
+    if (plan.error) json.number(*plan.error);
+    else json.null();
     json.key("measured_frames").integer(plan.measured);
     json.key("measuring_seconds").number(plan.spent);
     json.end();

@@ -24,7 +24,7 @@ struct JobPlan {
     FarmTask join;
     double sum = 0.0, critical_path = 0.0;  ///< seconds of all, and with as many machines as there are tasks
     double memory = 0.0;                    ///< bytes that a task needs, with a reserve
-    double error = 0.0;                     ///< share
+    std::optional<double> error;            ///< share; none where nothing tells it
     int measured = 0;
     double spent = 0.0;
 };
