@@ -1,4 +1,5 @@
 #include "render/image/files.h"
+#include "render/image/pixels/passing_failure.h"
 
 #include "tests/support/temporary_folder.h"
 
@@ -117,4 +118,20 @@ TEST_CASE("a file that is no picture is named in the message", "[image][files]")
     // A header that promises 800 GB: nothing is made ready for them.
     std::ofstream(folder / "huge.ppm") << "P6 300000 300000 255\nabc";
     CHECK_THROWS_WITH(files.read(folder / "huge.ppm"), Catch::Contains("is broken"));
+}
+
+TEST_CASE("a picture that went after it was found may come with another try, a broken one never", "[image]")
+{
+    const support::TemporaryFolder folder;
+    const std::string gone = folder / "gone.png", broken = folder / "broken.png";
+    CHECK_THROWS_AS(Files().read(gone), PassingFailure);
+    std::ofstream(broken) << "no picture";
+    try {
+        Files().read(broken);
+        FAIL("it has been read");
+    } catch (const PassingFailure&) {
+        FAIL("another try would bring the same");
+    } catch (const FileError& error) {
+        CHECK(std::string(error.what()).find("it is no picture") != std::string::npos);
+    }
 }
