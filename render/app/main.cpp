@@ -8,6 +8,7 @@
 #include "render/app/options/sub_commands.h"
 #include "render/app/picture/render_command.h"
 #include "render/app/program.h"
+#include "render/app/run/stacks.h"
 #include "render/image/codecs/module_path.h"
 
 #include <fmt/format.h>
@@ -82,6 +83,7 @@ int run(const Words& arguments, app::Settings& settings, app::Remains& remains)
         return app::kSuccess;
     }
     app::heed_signals();
+    app::deepen_stacks();
     app::read_default_ini_file(settings);
     if (app::has_word(arguments, {"--benchmark", "-benchmark"})) {
         app::apply_benchmark(settings);

@@ -7,6 +7,7 @@
 #include "render/app/options/sub_commands.h"
 #include "render/app/pixel/pixel_command.h"
 #include "render/app/program.h"
+#include "render/app/run/stacks.h"
 #include "render/app/solid/info_command.h"
 #include "render/app/solid/mesh_command.h"
 #include "render/app/study/report_command.h"
@@ -37,6 +38,7 @@ static_assert(kCalled.size() + 1 == app::kSubCommands.size(), "but for compare, 
 
 int run(const app::Words& arguments, app::Settings&, app::Remains&)
 {
+    app::deepen_stacks();
     for (const app::Called& command : kCalled)
         if (!arguments.empty() && command.name == arguments[0]) return app::call(command, arguments);
     throw app::OptionError("this is a part of whittle and called by it");

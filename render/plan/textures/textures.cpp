@@ -7,6 +7,8 @@
 #include "render/scene/unsupported_features.h"
 #include "render/texture/noise/noise.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -40,6 +42,22 @@ TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality&
     out_.wave_sources.resize(waves);
     out_.wave_frequencies.resize(waves);
     texture::wave_sources(static_cast<int>(waves), out_.wave_sources.data(), out_.wave_frequencies.data());
+}
+
+int deepest_nest()
+{
+    constexpr std::size_t kLevel = 40 << 10;  // bytes of stack: 25 KB measured at most
+    constexpr std::size_t kMost = 3000;       // the first thread's 120 MB
+    using Control = tbb::global_control;
+    return static_cast<int>(std::min(kMost, Control::active_value(Control::thread_stack_size) / kLevel));
+}
+
+TextureCompiler::Level::Level(TextureCompiler& of, const scene::Pattern& pattern) : depth_(of.depth_)
+{
+    if (depth_ >= of.deepest_)
+        throw scene::Error(of.scene_.place(pattern.source),
+                           "patterns lie inside of each other more than " + std::to_string(of.deepest_) + " deep");
+    ++depth_;
 }
 
 void TextureCompiler::note(const std::string& what, const scene::SourceRef& source)
@@ -185,6 +203,7 @@ std::vector<TextureCompiler::MapEntry> TextureCompiler::entries_of(const std::ve
 std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& description, const csg::Transform* by)
 {
     using Kind = texture::Pigment::Kind;
+    const Level level(*this, description.pattern);
     texture::Pigment out;
     out.pattern = pattern(description.pattern, by);
     if (description.pattern.name == "image_map") {
@@ -224,6 +243,7 @@ std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)
 std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_bump_scale, const csg::Transform* by)
 {
     using Map = texture::Normal::Map;
+    const Level level(*this, description.pattern);
     texture::Normal out;
     out.no_bump_scale = description.no_bump_scale || no_bump_scale;
     out.amount = csg::single(description.amount);
@@ -291,6 +311,7 @@ std::uint32_t TextureCompiler::layers(const std::vector<scene::Layer>& descripti
 std::uint32_t TextureCompiler::patterned(const scene::PatternedTexture& description, const csg::Transform* by)
 {
     using Kind = texture::Texture::Kind;
+    const Level level(*this, description.pattern);
     texture::Texture out;
     out.kind = Kind::Map;
     out.opaque = out.stops_light = false;  // never classified opaque (spec 3, 13.2)

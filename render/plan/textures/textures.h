@@ -21,6 +21,9 @@ struct PlacedTexture {
     friend auto operator<=>(const PlacedTexture&, const PlacedTexture&) = default;
 };
 
+/// Patterns that may lie inside of each other: 3000, or what the stacks of threads that render them hold.
+int deepest_nest();
+
 /// Turns descriptions of textures into the flat set, each shared description once.
 class TextureCompiler {
 public:
@@ -73,6 +76,15 @@ private:
     std::uint32_t pattern(const scene::Pattern& description, const csg::Transform* by = nullptr);
     /// Index of what the pattern looks its value up in; texture::kNone for those that look nothing up.
     std::uint32_t pattern_data(const scene::Pattern& description, texture::PatternKind kind);
+    /// While it is there, patterns are one level deeper. Throws scene::Error about a nest that is too deep.
+    class Level {
+    public:
+        Level(TextureCompiler& of, const scene::Pattern& pattern);
+        ~Level() { --depth_; }
+
+    private:
+        int& depth_;
+    };
     void note(const std::string& what, const scene::SourceRef& source);
     /// Puts it into the set, after those inside of it.
     std::uint32_t add(const texture::Pigment& pigment);
@@ -88,6 +100,8 @@ private:
     bool ambient_;  ///< finishes have theirs: radiosity takes its place since 3.7 (spec 6, 4.2)
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;
+    const int deepest_ = deepest_nest();
+    int depth_ = 0;  ///< see Level
     struct HashOfPlaced {
         std::size_t operator()(const PlacedTexture& t) const
         {

@@ -90,3 +90,38 @@ TEST_CASE("a heat picture that cannot be written is an error", "[program][faults
     CHECK(rendered(folder, "sphere { 0, 1 }\n", {"--explain=price"}).err.find("--explain wants cost") !=
           std::string::npos);
 }
+
+TEST_CASE("deep nests of declared things are rendered, deeper ones refused with their place", "[program][faults]")
+{
+    struct Nest {
+        const char *first, *next, *use;
+        bool limited;
+    };
+    const Nest nest = GENERATE(
+        Nest{"texture { pigment { rgb 1 } }", "texture { gradient x texture_map { [0 T] [1 pigment { rgb 0 }] } }",
+             "plane { z, 0 texture { T } }", true},
+        Nest{"pigment { rgb 1 }", "pigment { gradient x pigment_map { [0 T] [1 rgb 0] } }",
+             "sky_sphere { pigment { T } }", true},
+        Nest{"pigment { bozo }", "pigment { pigment_pattern { T } color_map { [0 rgb 0] [1 rgb 1] } }",
+             "plane { z, 0 pigment { T } }", true},
+        Nest{"normal { bumps }", "normal { gradient x normal_map { [0 T] [1 bumps] } }",
+             "plane { z, 0 pigment { rgb 1 } normal { T } }", true},
+        Nest{"density { spherical }", "density { gradient x density_map { [0 T] [1 rgb 1] } }",
+             "sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 1 density { T } } } }", true},
+        Nest{"sphere { 0, 1 }", "difference { object { T } sphere { 5, 1 } }", "object { T pigment { rgb 1 } }",
+             false});
+    const auto nested = [&](int levels) {
+        return "#declare T = " + std::string(nest.first) + "\n#declare I = 0; #while (I < " + std::to_string(levels) +
+               ")\n#declare T = " + nest.next + "\n#declare I = I + 1; #end\n" + nest.use + "\n";
+    };
+    const support::TemporaryFolder folder;
+    INFO(nest.next);
+    const auto deep = rendered(folder, nested(2900), {"+WT2"});  // POV-Ray's own end lies between 8,000 and 20,000
+    INFO(deep.err);
+    CHECK(deep.status == 0);
+    if (!nest.limited) return;
+    const auto deeper = rendered(folder, nested(20000));
+    CHECK(deeper.status == 1);
+    CHECK(deeper.err.find("s.pov:5:") != std::string::npos);
+    CHECK(deeper.err.find("patterns lie inside of each other more than 3000 deep") != std::string::npos);
+}

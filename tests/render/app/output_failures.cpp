@@ -185,4 +185,13 @@ TEST_CASE("memory that is refused is told with what is needed and what is allowe
                Catch::Matches("whittle: error: memory is refused: [0-9.]+ (bytes|kB|MB) more are needed; [0-9.]+ MB "
                               "of the 41.0 MB that this process may have \\(ulimit -v\\) are in use\n"));
     CHECK(limited("400000").status == 0);
+    // Stacks are no deeper than there is room for, and neither are the nests that they hold.
+    support::write_text(folder / "s.pov",
+                        std::string(kPlainScene) +
+                            "#declare T = texture { pigment { rgb 1 } }\n"
+                            "#for (I, 1, 2000) #declare T = texture { gradient x texture_map { [0 T] [1 "
+                            "pigment { rgb 0 }] } } #end\nplane { z, 0 texture { T } }\n");
+    const support::Ended nested = limited("400000");
+    CHECK(nested.status == 1);
+    CHECK_THAT(nested.err, Catch::Contains("s.pov:") && Catch::Contains("patterns lie inside of each other more than"));
 }
