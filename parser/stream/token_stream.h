@@ -178,12 +178,19 @@ public:
     Value read_any_value(Named* named);  ///< before it is stored
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
-    /// Words and forms of version 3.8 are known from #version 3.71 on.
+    /// Rules of version 3.8 that go with the language's version, not with its words.
     bool new_language() const { return language_.version > 370; }
+    /// Which POV-Ray the scene is drawn as, as far as the text was read.
+    scene::PovRay povray() const { return language_.povray; }
     /// What the identifier ahead means; of a dictionary the member that the tokens behind it name.
     const Value* member_ahead();
-    bool is_new_constant(const Token& token) const;  ///< `tau`
-    Kind at_pseudo_scope();
+    /// What a token is here: the words of 3.8 are words in every scene, but for names that it declares (a scene of 3.7 or
+    /// before may have any of them) and for all where --povray=3.7 asks for that language.
+    const Token& as_word(const Token& token) const
+    {
+        return token.kind != Kind::Identifier || token.jump == kNoIndex ? token : new_word(token);
+    }
+    Kind at_pseudo_scope();  ///< Local at `local.`, Global at `global.`; else EndOfText
     Cell read_pseudo_cell(Token& name);
     Value read_pseudo_value();
     /// A statement of the scene begins with the token ahead (nothing is ahead: forgets it).
@@ -247,6 +254,8 @@ private:
     const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;
+    const Token& new_word(const Token& token) const;
+    std::string why_no_word(const Token& token) const;
     SourceFile& file() { return *files_[cursors_.back().file]; }
     const Token& raw_next();
     void execute_directive();  ///< the cursor stands behind a Hash
@@ -301,7 +310,6 @@ private:
     DeclarationTarget read_declaration_target();
     void store(const DeclarationTarget& target, Value value, bool local, std::uint32_t scope);
     void declare_several(bool local);
-    bool at_new_word(std::string_view wanted);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
     Deprecation read_deprecation();
     void warn_deprecated(const Token& name);

@@ -32,15 +32,15 @@ template <class T>
 std::optional<T> TokenStream::accept_identifier()
 {
     if (peek().kind != Kind::Identifier) return std::nullopt;
-    if (new_language())
-        if (const Value* member = member_ahead(); member && member != value_of(*ahead_)) {
+    const Value* value = symbols_.find(ahead_->name);
+    if (value && value->template get_if<std::shared_ptr<Dictionary>>())
+        if (const Value* member = member_ahead(); member && member != value) {
             if (!member->template get_if<T>()) return std::nullopt;
             const Token name = next();
             const Cell element = subscripted(symbols_.find_cell(name.name), name, false);
             if (const T* content = element->template get_if<T>()) return *content;
             fail(place(name), "this member is of another kind");
         }
-    const Value* value = symbols_.find(ahead_->name);
     if (!value) return std::nullopt;
     if (const T* whole = value->template get_if<T>()) {
         T content = *whole;

@@ -82,6 +82,7 @@ scene::Description SceneBuilder::take()
 {
     const LanguageState& language = stream_->language();
     description.version = language.version < 350 ? 350 : language.version;
+    description.povray = language.povray;
     description.effective_version = language.version_set ? description.version : 362;
     if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
     description.global.assumed_gamma = language.assumed_gamma;

@@ -112,9 +112,9 @@ std::shared_ptr<Array> TokenStream::read_array()
     next();
     const bool raw = std::exchange(raw_operators_, false);
     auto array = std::make_shared<Array>();
-    if (at_new_word("mixed")) next(), array->mixed = true;
+    if (accept(Kind::Mixed)) array->mixed = true;
     double elements = 1;
-    if (new_language() && peek_raw().kind != Kind::LeftSquare) {
+    if (peek_raw().kind != Kind::LeftSquare) {
         array->growing = true;
         array->sizes.push_back(0);
         elements = 0;
@@ -129,7 +129,7 @@ std::shared_ptr<Array> TokenStream::read_array()
         array->sizes.push_back(static_cast<std::uint32_t>(size));
     }
     array->elements.resize(static_cast<std::size_t>(elements));
-    if (at_new_word("optional")) next(), array->gaps = true;
+    if (as_word(peek_raw()).kind == Kind::Optional) next(), array->gaps = true;
     if (peek_raw().kind == Kind::LeftBrace) {
         std::size_t at = 0;
         raw_operators_ = !new_language();

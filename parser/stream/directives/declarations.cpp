@@ -16,7 +16,7 @@ DeclarationTarget TokenStream::read_declaration_target()
     if (pseudo != Kind::EndOfText) {
         raw_next();
         raw_next();
-        target.global = pseudo == Kind::Identifier;
+        target.global = pseudo == Kind::Global;
         target.local = !target.global;
     }
     target.name = raw_next();
@@ -55,7 +55,7 @@ void TokenStream::declare(bool local)
 {
     std::optional<Deprecation> deprecation;
     if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
-    if (new_language() && (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace))
+    if (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace)
         return declare_several(local);
     const std::uint32_t scope = symbols_.depth();
     const DeclarationTarget target = read_declaration_target();
@@ -143,6 +143,8 @@ void TokenStream::set_version(std::uint32_t hash)
         fail(at, "#version 3.8 must be the first statement of a scene");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;
+    const bool in_scene = cursors_.back().file == 0;  // an include may restore a version that it was not drawn with
+    if (in_scene && version >= kPatched && !options_.povray) language_.povray = scene::PovRay::V38;
     hooks_.version_changed(language_.version, options_);
     if (peek_raw().kind != Kind::Semicolon) warn(at, "#version should end in ';'");
     end_declaration(false);
@@ -152,7 +154,6 @@ Value TokenStream::read_identifier_value(Named* named)
 {
     const Token name = *ahead_;
     Cell cell = symbols_.find_cell(name.name);
-    if (!cell && is_new_constant(name)) return untyped_expr(*this);
     if (!cell) fail_undeclared(name);
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
     const std::uint32_t scope = symbols_.scope_of(name.name);
@@ -196,7 +197,6 @@ Value TokenStream::read_any_value(Named* named)
     const Token& token = peek();
     if (at_pseudo_scope() != Kind::EndOfText) return read_pseudo_value();
     if (token.kind == Kind::Identifier) {
-        if (new_language() && word(token) == "dictionary" && !value_of(token)) return read_dictionary();
         if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`
             if (const Value* value = value_of(token); value && kind_of(*value) == kind_of(Tuple{{}, 5}))
                 return Tuple::of(color_expr(*this));
@@ -206,6 +206,7 @@ Value TokenStream::read_any_value(Named* named)
     if (lexical_class(token.kind) == LexicalClass::Color) return Tuple::of(color_expr(*this));
     if (at_expression(*this)) return untyped_expr(*this);
     if (token.kind == Kind::Array) return read_array();
+    if (token.kind == Kind::Dictionary) return read_dictionary();
     if (token.kind == Kind::Function) return read_function_value(*this);
     if (token.kind == Kind::Spline) return read_spline(*this);
     const bool raw = std::exchange(raw_operators_, false);

@@ -5,15 +5,20 @@
 
 #include <utility>
 
-/// What version 3.8 adds and that is no container: its words are names in all scenes of earlier versions.
+/// What version 3.8 adds and that is no container.
 namespace parser {
 
-/// A name that is a word of version 3.8 here: nothing is declared by it.
-bool TokenStream::at_new_word(std::string_view wanted)
+const Token& TokenStream::new_word(const Token& token) const
 {
-    if (!new_language()) return false;
-    const Token& token = peek_raw();
-    return token.kind == Kind::Identifier && word(token) == wanted && !value_of(token);
+    const bool left_out = options_.povray == scene::PovRay::V37 && names_.new_word(token.name) != Kind::Steps;
+    return left_out || value_of(token) ? token : files_[token.file]->new_words[token.jump];
+}
+
+/// Of a name that would be a word of 3.8, or nothing.
+std::string TokenStream::why_no_word(const Token& token) const
+{
+    if (token.kind != Kind::Identifier || token.jump == kNoIndex) return {};
+    return fmt::format("; '{}' is a word of POV-Ray 3.8, and --povray=3.7 asks for the language before it", word(token));
 }
 
 const Value* TokenStream::member_ahead()
@@ -41,27 +46,19 @@ const Value* TokenStream::member_ahead()
     return value;
 }
 
-bool TokenStream::is_new_constant(const Token& token) const
-{
-    return new_language() && token.kind == Kind::Identifier && word(token) == "tau" && !value_of(token);
-}
-
-/// At `local.` (Local) or `global.` (Identifier); else EndOfText.
 Kind TokenStream::at_pseudo_scope()
 {
-    if (!new_language()) return Kind::EndOfText;
-    const Token& token = peek_raw();
-    const bool global = token.kind == Kind::Identifier && word(token) == "global" && !value_of(token);
-    if (token.kind != Kind::Local && !global) return Kind::EndOfText;
+    const Kind scope = as_word(peek_raw()).kind;
+    if (scope != Kind::Local && scope != Kind::Global) return Kind::EndOfText;
     const Cursor& cursor = cursors_.back();
     if (cursor.position >= cursor.end || cursor.tokens[cursor.position].kind != Kind::Period) return Kind::EndOfText;
-    return token.kind;
+    return scope;
 }
 
 /// `local.X`, `global.X`: what X means in the innermost or the outermost scope alone. Null: nothing.
 Cell TokenStream::read_pseudo_cell(Token& name)
 {
-    const bool global = raw_next().kind == Kind::Identifier;
+    const bool global = raw_next().kind != Kind::Local;
     raw_next();
     name = raw_next();
     if (name.kind != Kind::Identifier) fail_expected_at(name, "a name behind the scope");
@@ -93,7 +90,7 @@ void TokenStream::declare_several(bool local)
     std::vector<Place> places;
     for (;;) {
         Place one;
-        if (at_new_word("optional")) raw_next(), one.optional = true;
+        if (as_word(peek_raw()).kind == Kind::Optional) raw_next(), one.optional = true;
         one.wanted = peek_raw().kind != Kind::Comma && peek_raw().kind != closing;
         if (one.wanted) one.target = read_declaration_target();
         places.push_back(std::move(one));

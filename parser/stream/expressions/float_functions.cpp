@@ -200,6 +200,7 @@ double read_float_word(TokenStream& stream, const Token& word)
 {
     switch (word.kind) {
     case Kind::Pi: return std::numbers::pi;
+    case Kind::Tau: return 2.0 * std::numbers::pi;
     case Kind::True:
     case Kind::Yes:
     case Kind::On: return 1.0;

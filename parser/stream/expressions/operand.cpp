@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace parser {
 namespace {
@@ -58,7 +57,6 @@ Tuple read_identifier(TokenStream& stream, int requested)
 {
     const Token name = stream.next();
     Cell cell = stream.symbols().find_cell(name.name);
-    if (!cell && stream.is_new_constant(name)) return replicated(2.0 * std::numbers::pi, requested);
     if (!cell) stream.fail_undeclared(name);
     if (is_container(*cell)) cell = stream.subscripted(cell, name, false);
     if (const Tuple* tuple = cell->get_if<Tuple>()) {
@@ -96,7 +94,8 @@ Tuple read_pseudo(TokenStream& stream, int requested)
 Tuple read_primary(TokenStream& stream, int requested)
 {
     const Token token = stream.peek();
-    if (stream.new_language() && stream.at_pseudo_scope() != Kind::EndOfText) return read_pseudo(stream, requested);
+    if (token.kind == Kind::Local || token.kind == Kind::Global)
+        if (stream.at_pseudo_scope() != Kind::EndOfText) return read_pseudo(stream, requested);
     switch (token.kind) {
     case Kind::Number: stream.next(); return replicated(token.number, requested);
     case Kind::Identifier: return read_identifier(stream, requested);
@@ -177,11 +176,10 @@ bool begins_operand(Kind kind)
 bool at_expression(TokenStream& stream)
 {
     const Token& token = stream.peek();
-    if (token.kind == Kind::Local) return stream.at_pseudo_scope() != Kind::EndOfText;
+    if (token.kind == Kind::Local || token.kind == Kind::Global) return stream.at_pseudo_scope() != Kind::EndOfText;
     if (token.kind != Kind::Identifier) return begins_operand(token.kind);
     const Value* value = stream.member_ahead();
-    return value ? holds<Tuple, function::FunctionPtr, SplinePtr>(*value)
-                 : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
+    return value && holds<Tuple, function::FunctionPtr, SplinePtr>(*value);
 }
 
 bool at_string(TokenStream& stream)
