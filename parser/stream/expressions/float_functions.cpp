@@ -131,8 +131,9 @@ double string_function(TokenStream& stream, Kind kind)
 
 double array_function(TokenStream& stream, Kind kind)
 {
-    const Token name = stream.next();
-    const Cell cell = name.kind == Kind::Identifier ? stream.symbols().find_cell(name.name) : nullptr;
+    Token name;
+    Cell cell = stream.take_name(name);
+    if (cell && cell->get_if<std::shared_ptr<Dictionary>>()) cell = stream.subscripted(cell, name, false);
     const auto* array = cell ? cell->get_if<std::shared_ptr<Array>>() : nullptr;
     if (!array) stream.fail(stream.place(name), "expected the name of an array");
     const auto kept = *array;

@@ -221,7 +221,9 @@ BodyReader::Value BodyReader::component(Value vector, std::uint32_t count)
     case Kind::Gray: return plus(plus(scaled(0.297, 0), scaled(0.589, 1)), scaled(0.114, 2));
     default: break;
     }
-    if (name.kind == Kind::Identifier && stream_.word(name) == "hf")
+    const std::string word = name.kind == Kind::Identifier ? stream_.word(name) : std::string();
+    if (word == "grey") return plus(plus(scaled(0.297, 0), scaled(0.589, 1)), scaled(0.114, 2));
+    if (word == "hf")
         return build_.binary(Op::Multiply, plus(at(0), build_.binary(Op::Divide, at(1), build_.constant(255.0))),
                              build_.constant(0.996093));
     stream_.fail(stream_.place(name), "expected a component after '.', as in .x or .red");
