@@ -17,7 +17,7 @@ DIRECTIVES = ("break case debug declare default else elseif end error fclose fop
 
 def reserved():
     text = (ROOT / "parser/lexer/keywords.inc").read_text()
-    words = re.findall(r'^WHITTLE_(?:KEYWORD|SPELLING)\("(\w+)", \w+(?:, (\w+))?\)', text, re.M)
+    words = re.findall(r'^WHITTLE_(?:NEW_)?(?:KEYWORD|SPELLING)\("(\w+)", \w+(?:, (\w+))?\)', text, re.M)
     return sorted(word for word, _ in words), sorted(word for word, kind in words if kind in ("Float", "String", "Vector", "Vector4"))
 
 

@@ -2,6 +2,7 @@
 
 #include "language/format/format.h"
 #include "parser/lexer/lexer.h"
+#include "parser/lexer/new_words.h"
 
 #include <algorithm>
 
@@ -95,6 +96,7 @@ std::vector<Piece> pieces_of(std::string_view text)
     file.text = text;
     parser::Names names;
     parser::tokenize(file, 0, names, true, false);
+    parser::settle_new_words(file, names);
     if (!file.bad.empty()) {
         const parser::Token& bad = file.tokens[file.bad.front()];
         throw Refused(bad.offset, file.strings[bad.name]);

@@ -29,6 +29,7 @@ bool value_word(Kind kind)
     case Kind::V:
     case Kind::T:
     case Kind::Pi:
+    case Kind::Tau:
     case Kind::Clock:
     case Kind::True:
     case Kind::False:

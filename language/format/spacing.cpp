@@ -43,6 +43,7 @@ bool called(const Piece& p)
     case Kind::Y:
     case Kind::Z:
     case Kind::Pi:
+    case Kind::Tau:
     case Kind::Clock:
     case Kind::On:
     case Kind::Off:

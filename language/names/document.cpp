@@ -1,5 +1,7 @@
 #include "language/names/document.h"
 
+#include "parser/lexer/new_words.h"
+
 #include <algorithm>
 
 namespace language {
@@ -49,6 +51,7 @@ Document::Document(std::string path, std::string text)
     file_.path = std::move(path);
     file_.text = std::move(text);
     parser::tokenize(file_, 0, names_, true);
+    parser::settle_new_words(file_, names_);
     partners_ = partners_of(file_.tokens);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Options {
     std::map<std::string, std::string> declared_strings;
     int version = 370;           ///< before any #version
     bool version_given = false;  ///< by an option: gamma and the like follow it (spec 1, 15.1)
+    std::optional<scene::PovRay> povray;  ///< --povray; unset: as the scene's #version says
     int image_width = 320, image_height = 240;
     double clock = 0.0;
     bool clock_on = false;

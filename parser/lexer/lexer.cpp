@@ -178,7 +178,12 @@ struct action<word> {
     static void apply(const Input& in, Builder& build)
     {
         const std::uint32_t name = build.names.intern(in.string_view());
-        build.add(build.names.kind(name), in.begin()).name = name;
+        Token& token = build.add(build.names.kind(name), in.begin());
+        token.name = name;
+        const Kind meant = build.names.new_word(name);
+        if (meant == Kind::EndOfText) return;
+        build.file.new_words.emplace_back(token).kind = meant;
+        token.jump = static_cast<std::uint32_t>(build.file.new_words.size() - 1);
     }
 };
 template <>
@@ -311,6 +316,7 @@ bool tokenize(std::string_view text, SourceFile& file, std::uint16_t file_index,
     file.tokens.clear();
     file.strings.clear();
     file.numbers.clear();
+    file.new_words.clear();
     file.bad.clear();
     std::size_t skipped = 0;
     if (main_text)

@@ -21,6 +21,7 @@ struct SourceFile {
     std::vector<Token> tokens;         ///< ends with EndOfText
     std::vector<std::string> strings;  ///< raw text of String tokens, messages of Bad tokens
     std::vector<double> numbers;       ///< of Numbers tokens
+    std::vector<Token> new_words;      ///< Identifiers that POV-Ray 3.8 reserves, as the words that they are there
     std::vector<std::uint32_t> bad;    ///< indices of Bad tokens, ascending: skipped text must be well-formed too
 
     /// Frees the text of a long file, which only messages ask for from now on. `reread` reads it again; empty: it is

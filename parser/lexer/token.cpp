@@ -8,22 +8,31 @@ namespace {
 struct Word {
     std::string_view text;
     Kind kind;
+    bool is_new = false;
 };
 
 constexpr Word kWords[] = {
 #define WHITTLE_KEYWORD(word, kind, lexical_class) {word, Kind::kind},
+#define WHITTLE_NEW_KEYWORD(word, kind, lexical_class) {word, Kind::kind, true},
 #define WHITTLE_SPELLING(word, kind) {word, Kind::kind},
+#define WHITTLE_NEW_SPELLING(word, kind) {word, Kind::kind, true},
 #include "parser/lexer/keywords.inc"
 #undef WHITTLE_KEYWORD
+#undef WHITTLE_NEW_KEYWORD
 #undef WHITTLE_SPELLING
+#undef WHITTLE_NEW_SPELLING
 };
 
 constexpr LexicalClass kClasses[] = {
 #define WHITTLE_KEYWORD(word, kind, lexical_class) LexicalClass::lexical_class,
+#define WHITTLE_NEW_KEYWORD(word, kind, lexical_class) LexicalClass::lexical_class,
 #define WHITTLE_SPELLING(word, kind)
+#define WHITTLE_NEW_SPELLING(word, kind)
 #include "parser/lexer/keywords.inc"
 #undef WHITTLE_KEYWORD
+#undef WHITTLE_NEW_KEYWORD
 #undef WHITTLE_SPELLING
+#undef WHITTLE_NEW_SPELLING
 };
 
 // clang-format off
@@ -70,6 +79,7 @@ Names::Names()
     for (const Word& word : kWords) {
         index_.emplace(words_.emplace_back(word.text), static_cast<std::uint32_t>(kinds_.size()));
         kinds_.push_back(word.kind);
+        new_.push_back(word.is_new);
     }
 }
 

@@ -54,10 +54,14 @@ enum class Kind : std::uint16_t {
     Backquote,
     Backslash,
 #define WHITTLE_KEYWORD(word, kind, lexical_class) kind,
+#define WHITTLE_NEW_KEYWORD(word, kind, lexical_class) kind,
 #define WHITTLE_SPELLING(word, kind)
+#define WHITTLE_NEW_SPELLING(word, kind)
 #include "parser/lexer/keywords.inc"
 #undef WHITTLE_KEYWORD
+#undef WHITTLE_NEW_KEYWORD
 #undef WHITTLE_SPELLING
+#undef WHITTLE_NEW_SPELLING
     kCount
 };
 
@@ -79,7 +83,7 @@ struct Token {
     std::uint32_t name = kNoIndex;  ///< interned word (keywords too), or string index
     double number = 0;
     std::uint32_t offset = 0;       ///< byte in the file; line and column are computed when a message needs them
-    std::uint32_t jump = kNoIndex;  ///< Hash and Numbers only
+    std::uint32_t jump = kNoIndex;  ///< Hash and Numbers; of an Identifier that is a new word: SourceFile::new_words
 };
 static_assert(sizeof(Token) == 24);
 
@@ -89,12 +93,24 @@ public:
     Names();
     std::uint32_t intern(std::string_view word);
     const std::string& word(std::uint32_t name) const { return words_[name]; }
-    Kind kind(std::uint32_t name) const { return name < kinds_.size() ? kinds_[name] : Kind::Identifier; }
+    /// As it is lexed: of a word that only POV-Ray 3.8 reserves Identifier, for a scene may have it as a name.
+    Kind kind(std::uint32_t name) const
+    {
+        return name < kinds_.size() && !new_[name] ? kinds_[name] : Kind::Identifier;
+    }
+    /// What such a word is where nothing of that name is declared; of other names EndOfText.
+    Kind new_word(std::uint32_t name) const
+    {
+        return name < kinds_.size() && new_[name] ? kinds_[name] : Kind::EndOfText;
+    }
+    /// Reserved in one of the versions at least.
+    bool reserved(std::uint32_t name) const { return name < kinds_.size(); }
     std::size_t size() const { return words_.size(); }
 
 private:
     std::deque<std::string> words_;  // stable addresses: the map's keys look into them
     std::vector<Kind> kinds_;        // of the reserved words
+    std::vector<bool> new_;          // by the same numbers
     std::unordered_map<std::string_view, std::uint32_t> index_;
 };
 

@@ -29,10 +29,10 @@ enum class Charset : std::uint8_t { Ascii, Utf8, System };
 
 /// Settings of the text that change how the rest of it is read.
 struct LanguageState {
-    int version = 370;               ///< `#version` * 100
-    bool version_set = false;        ///< by a directive or an option; off: gamma and the like act as in 3.62
-    bool version_directive = false;  ///< a #version was executed
-    bool begins_with_380 = false;    ///< as the scene's first statement: an include may come back to it at its end
+    int version = 370;                          ///< `#version` * 100
+    scene::PovRay povray = scene::PovRay::V37;  ///< of Options, or what the main scene's #version says
+    bool version_set = false;                   ///< by a directive or an option; off: gamma and the like act as in 3.62
+    bool version_directive = false;             ///< a #version was executed
     /// Of the first #version, if other text was read before it.
     std::optional<scene::SourceRef> late_version;
     Charset charset = Charset::Ascii;

@@ -102,9 +102,11 @@ void TokenStream::fail_expected_at(const Token& found, std::string_view what, st
     constexpr std::size_t kLongestQuote = 40;
     if (text.size() > kLongestQuote) text = text.substr(0, character_start(text, kLongestQuote)) + "...";
     if (found.kind == Kind::Identifier && !value_of(found)) {
+        if (const std::string why = why_no_word(found); !why.empty())
+            fail(place(found), fmt::format("expected {}, found '{}'{}", what, text, why));
         NearestName nearest(text);
         for (std::uint32_t name = 0; name < names_.size(); ++name)
-            if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
+            if (names_.reserved(name) || symbols_.find(name)) nearest.offer(names_.word(name));
         if (!nearest.best().empty())
             fail(place(found), fmt::format("expected {}, found '{}', which is not declared; did you mean '{}'?", what,
                                            text, nearest.best()));
@@ -117,10 +119,12 @@ void TokenStream::fail_expected_at(const Token& found, std::string_view what, st
 void TokenStream::fail_undeclared(const Token& token, std::string_view block, std::span<const Kind> items)
 {
     const std::string& word = names_.word(token.name);
+    if (const std::string why = why_no_word(token); !why.empty())
+        fail(place(token), fmt::format("'{}' is not declared{}", word, why));
     NearestName nearest(word);
     for (const Kind item : items) nearest.offer(spelling(item));
     for (std::uint32_t name = 0; name < names_.size(); ++name)
-        if (names_.kind(name) != Kind::Identifier || symbols_.find(name)) nearest.offer(names_.word(name));
+        if (names_.reserved(name) || symbols_.find(name)) nearest.offer(names_.word(name));
     if (!nearest.best().empty())
         fail(place(token), fmt::format("'{}' is not declared; did you mean '{}'?", word, nearest.best()));
     if (block.empty()) fail(place(token), fmt::format("'{}' is not declared", word));

@@ -58,6 +58,13 @@ public:
         ++taken_;
         return *(last_ = ahead_);
     }
+    /// Takes it where a new name is made: a word that only 3.8 has is one.
+    Token next_name()
+    {
+        Token token = next();
+        if (is_keyword(token.kind) && names_.new_word(token.name) == token.kind) token.kind = Kind::Identifier;
+        return token;
+    }
     bool accept(Kind kind)  ///< takes it if it is of that kind
     {
         if (peek().kind != kind) return false;
@@ -178,14 +185,25 @@ public:
     Value read_any_value(Named* named);  ///< before it is stored
     /// The word inside `defined ( name )`, with the parentheses.
     bool read_defined();
-    /// Words and forms of version 3.8 are known from #version 3.71 on.
+    /// Rules of version 3.8 that go with the language's version, not with its words.
     bool new_language() const { return language_.version > 370; }
-    /// What the identifier ahead means; of a dictionary the member that the tokens behind it name.
-    const Value* member_ahead();
-    bool is_new_constant(const Token& token) const;  ///< `tau`
-    Kind at_pseudo_scope();
-    Cell read_pseudo_cell(Token& name);
-    Value read_pseudo_value();
+    /// Which POV-Ray the scene is drawn as, as far as the text was read.
+    scene::PovRay povray() const { return language_.povray; }
+    /// What the name ahead means; of a dictionary or a mixed array the part that the tokens behind it name. Null:
+    /// nothing, or no name is ahead.
+    const Value* named_ahead();
+    /// A name, or `local.` or `global.` before one.
+    bool at_name() { return peek().kind == Kind::Identifier || at_pseudo_scope() != Kind::EndOfText; }
+    /// Takes it without subscripts: what it means, and the name. Null: it means nothing.
+    Cell take_name(Token& name);
+    /// What a token is here: the words of 3.8 are words in every scene, but for names that it declares (a scene of 3.7
+    /// or before may have any of them) and for all where --povray=3.7 asks for that language.
+    const Token& as_word(const Token& token) const
+    {
+        return token.kind != Kind::Identifier || token.jump == kNoIndex ? token : new_word(token);
+    }
+    /// --povray=3.7: what only 3.8 reads is refused.
+    bool strictly_37() const { return options_.povray == scene::PovRay::V37; }
     /// A statement of the scene begins with the token ahead (nothing is ahead: forgets it).
     void begin_statement();
     /// Blocks that are open, for the message about one that is never closed: its '{' was read; it was closed.
@@ -247,6 +265,15 @@ private:
     const Token* innermost_loop() const;
     void leave_cursor();
     bool is_macro(const Token& token) const;
+    const Token& new_word(const Token& token) const;
+    std::string why_no_word(const Token& token) const;
+    Kind at_pseudo_scope();  ///< Local at `local.`, Global at `global.`; else EndOfText
+    Cell in_scope(Kind scope, std::uint32_t name) const;
+    Kind read_pseudo_name(Token& name);
+    template <class Read>
+    bool look_into_brackets(const Cursor& in, std::uint32_t& at, Read&& read);
+    std::optional<std::string> key_ahead(const Cursor& in, std::uint32_t& at);
+    const Value* element_ahead(const Array& array, const Cursor& in, std::uint32_t& at);
     SourceFile& file() { return *files_[cursors_.back().file]; }
     const Token& raw_next();
     void execute_directive();  ///< the cursor stands behind a Hash
@@ -301,7 +328,6 @@ private:
     DeclarationTarget read_declaration_target();
     void store(const DeclarationTarget& target, Value value, bool local, std::uint32_t scope);
     void declare_several(bool local);
-    bool at_new_word(std::string_view wanted);
     void set_element(Array& array, const Cell& element, Value value, const Token& name);
     Deprecation read_deprecation();
     void warn_deprecated(const Token& name);

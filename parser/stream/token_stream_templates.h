@@ -31,27 +31,21 @@ void TokenStream::read_again(const Token* begin, const Token* end, Read&& read)
 template <class T>
 std::optional<T> TokenStream::accept_identifier()
 {
-    if (peek().kind != Kind::Identifier) return std::nullopt;
-    if (new_language())
-        if (const Value* member = member_ahead(); member && member != value_of(*ahead_)) {
-            if (!member->template get_if<T>()) return std::nullopt;
-            const Token name = next();
-            const Cell element = subscripted(symbols_.find_cell(name.name), name, false);
-            if (const T* content = element->template get_if<T>()) return *content;
-            fail(place(name), "this member is of another kind");
-        }
-    const Value* value = symbols_.find(ahead_->name);
+    if (!at_name()) return std::nullopt;
+    const Value* value = ahead_->kind == Kind::Identifier ? symbols_.find(ahead_->name) : nullptr;
+    const bool parts = ahead_->kind != Kind::Identifier || (value && has_parts_of_any_type(*value));
+    if (parts) value = named_ahead();
     if (!value) return std::nullopt;
-    if (const T* whole = value->template get_if<T>()) {
+    const T* const whole = value->template get_if<T>();
+    if (whole && !parts) {
         T content = *whole;
         next();
         return content;
     }
     const auto* array = value->template get_if<std::shared_ptr<Array>>();
-    if (!array) return std::nullopt;
-    Cell cell = symbols_.find_cell(ahead_->name);
+    if (!array && !whole) return std::nullopt;
     const Value* first = nullptr;  // arrays of arrays: look at the innermost elements
-    for (const Array* level = array->get(); level != nullptr;) {
+    for (const Array* level = whole ? nullptr : array->get(); level != nullptr;) {
         first = nullptr;
         for (const Value& element : level->elements)
             if (element.set()) {
@@ -61,12 +55,12 @@ std::optional<T> TokenStream::accept_identifier()
         const auto* inner = first ? first->template get_if<std::shared_ptr<Array>>() : nullptr;
         level = inner ? inner->get() : nullptr;
     }
-    if (!first || !first->template get_if<T>()) return std::nullopt;
-    const Token name = next();
-    const scene::SourceRef at = place(name);
-    const Cell element = subscripted(std::move(cell), name, false);
+    if (!whole && (!first || !first->template get_if<T>())) return std::nullopt;
+    Token name;
+    const Cell taken = take_name(name);
+    const Cell element = subscripted(taken, name, false);
     if (const T* content = element->template get_if<T>()) return *content;
-    fail(at, "this array element is of another kind");
+    fail(place(name), "this element is of another kind");
 }
 
 }  // namespace parser

@@ -157,6 +157,7 @@ std::vector<Piece> RaySpans::leaf_inside(const scene::Object& object, const csg:
         scene::Description alone;
         alone.global = description_.global;
         alone.effective_version = description_.effective_version;
+        alone.povray = description_.povray;
         auto texture = std::make_shared<scene::Texture>();
         texture->kind = std::vector<scene::Layer>{scene::Layer{}};
         alone.default_texture = texture;

@@ -1,5 +1,6 @@
 #include "render/lint/lint.h"
 
+#include "parser/lexer/new_words.h"
 #include "parser/stream/messages.h"
 #include "render/lint/findings.h"
 
@@ -41,6 +42,7 @@ const parser::SourceFile* Texts::file(const std::string& path)
         made->path = path;
         made->text = std::move(*text);
         parser::tokenize(*made, 0, names_, true, false);
+        parser::settle_new_words(*made, names_);
     }
     return files_.emplace(path, std::move(made)).first->second.get();
 }

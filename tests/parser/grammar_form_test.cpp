@@ -19,7 +19,11 @@ void add_words(const Form& form, std::set<Kind>& words)
 }
 
 /// Reserved, but read nowhere.
-const std::set<std::string> kUnused = {"steps"};
+const std::set<std::string> kUnused = {
+    "blend_gamma", "blend_mode", "breakpoint", "bt2020",       "bt709",  "cmap",  "distance_maximum",
+    "lemon",       "obj",        "polarity",   "potential",    "prefix", "sblue", "sgreen",
+    "sred",        "steps",      "suffix",     "user_defined",
+};
 
 }  // namespace
 

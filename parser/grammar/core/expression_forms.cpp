@@ -60,8 +60,9 @@ Production primary()
                                            seq<token<Kind::Period>, an_identifier>, arguments>>;
     using word = seq<pegtl::sor<the<number_word>, the<vector_word>>, opt<arguments>>;
     using axis = pegtl::sor<words_of_class<LexicalClass::Vector2>, words_of_class<LexicalClass::Vector4>>;
-    return {"primary", form_of<pegtl::sor<a_literal, seq<an_identifier, element>, seq<open, the<condition>, close>,
-                                          components, word, axis>>()};
+    using of_scope = seq<one_of<Kind::Local, Kind::Global>, token<Kind::Period>, an_identifier, element>;
+    return {"primary", form_of<pegtl::sor<a_literal, seq<an_identifier, element>, of_scope,
+                                          seq<open, the<condition>, close>, components, word, axis>>()};
 }
 Production factor()
 {
@@ -129,14 +130,23 @@ namespace {
 
 Production value()
 {
-    using array = seq<token<Kind::Array>, pegtl::star<token<Kind::LeftSquare>, the<sum>, token<Kind::RightSquare>>,
+    using size = seq<token<Kind::LeftSquare>, the<sum>, token<Kind::RightSquare>>;
+    using array = seq<token<Kind::Array>, opt<token<Kind::Mixed>>, pegtl::star<size>, opt<token<Kind::Optional>>,
                       opt<open_brace, list<the<value>, comma>, close_brace>>;
+    using key = pegtl::sor<seq<token<Kind::Period>, an_identifier>,
+                           seq<token<Kind::LeftSquare>, text_operand, token<Kind::RightSquare>>>;
+    using dictionary = seq<token<Kind::Dictionary>,
+                           opt<open_brace, opt<list<seq<key, token<Kind::Colon>, the<value>>, comma>>, close_brace>>;
     using spline = seq<token<Kind::Spline>, the<spline_block>>;
-    return {"value", form_of<pegtl::sor<any_value, the<sum>, a_color, a_text, the<function_value>, spline, array>>()};
+    return {
+        "value",
+        form_of<pegtl::sor<any_value, the<sum>, a_color, a_text, the<function_value>, spline, array, dictionary>>()};
 }
-struct parameters : seq<open, opt<list<seq<opt<an_identifier>, an_identifier>, comma>>, close> {};
-using name = seq<an_identifier, pegtl::star<pegtl::sor<seq<token<Kind::LeftSquare>, the<sum>, token<Kind::RightSquare>>,
-                                                       seq<token<Kind::Period>, an_identifier>>>>;
+struct parameters : seq<open, opt<list<seq<opt<token<Kind::Optional>>, an_identifier>, comma>>, close> {};
+using scope = seq<one_of<Kind::Local, Kind::Global>, token<Kind::Period>>;
+using name = seq<opt<scope>, an_identifier,
+                 pegtl::star<pegtl::sor<seq<token<Kind::LeftSquare>, the<sum>, token<Kind::RightSquare>>,
+                                        seq<token<Kind::Period>, an_identifier>>>>;
 using end = opt<token<Kind::Semicolon>>;
 
 }  // namespace
@@ -149,9 +159,12 @@ Production rest_of_directive()
 
 Production directive()
 {
-    using declares =
-        seq<one_of<Kind::Declare, Kind::Local>, opt<token<Kind::Deprecated>, opt<token<Kind::Once>>, opt<a_text>>, name,
-            token<Kind::Equal>, the<value>, end>;
+    using some = seq<opt<token<Kind::Optional>>, opt<name>>;
+    using tuple = seq<open, list<some, comma>, close, token<Kind::Equal>, open, list<the<value>, comma>, close>;
+    using unpacked = seq<open_brace, list<some, comma>, close_brace, token<Kind::Equal>, the<value>>;
+    using one =
+        seq<opt<token<Kind::Deprecated>, opt<token<Kind::Once>>, opt<a_text>>, name, token<Kind::Equal>, the<value>>;
+    using declares = seq<one_of<Kind::Declare, Kind::Local>, pegtl::sor<one, tuple, unpacked>, end>;
     using asks = seq<pegtl::sor<
         seq<one_of<Kind::If, Kind::Elseif, Kind::While, Kind::Switch, Kind::Case>, open, the<condition>, close>,
         seq<one_of<Kind::Ifdef, Kind::Ifndef>, open, name, close>,

@@ -68,6 +68,7 @@ SceneQueries* SceneBuilder::queries()
 {
     description.global.assumed_gamma = stream_->language().assumed_gamma;
     description.effective_version = stream_->language().effective_version();
+    description.povray = stream_->povray();
     return stream_->options().queries;
 }
 

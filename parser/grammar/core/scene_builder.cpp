@@ -3,16 +3,27 @@
 #include <fmt/format.h>
 
 namespace parser {
+namespace {
+
+constexpr double kOldRight = 1.33;  // not 4/3 (spec 2, 3.1)
+
+}  // namespace
 
 SceneBuilder::SceneBuilder()
 {
     auto texture = std::make_shared<scene::Texture>();
     texture->kind = std::vector<scene::Layer>{scene::Layer{}};
     default_texture_ = texture;
-    default_camera.right = {1.33, 0, 0};  // not 4/3 (spec 2, 3.1)
+    default_camera.right = {kOldRight, 0, 0};
     default_camera.variance = 1.0 / 10000.0;
     default_camera.focal_distance = 1.0;
     description.camera = default_camera;
+}
+
+void SceneBuilder::attach(TokenStream& stream)
+{
+    stream_ = &stream;
+    if (stream.options().version_given) take_defaults(stream.options().version, stream.options());
 }
 
 const scene::Layer& SceneBuilder::default_layer() const
@@ -33,13 +44,30 @@ void SceneBuilder::version_changed(int version, const Options& options)
 {
     // A version from the command line alone is too late for what is asked while the text is read (spec 4, 2.6).
     if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
+    take_defaults(version, options);
+}
+
+/// Defaults go with the version of the moment, until the first #default (spec 7, 1.2).
+void SceneBuilder::take_defaults(int version, const Options& options)
+{
     constexpr int kNewDefaults = 380;
-    if (version < kNewDefaults || default_given || !description.objects.empty()) return;
-    scene::Layer layer = default_layer();
-    layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
-    layer.finish.edit().ambient = glm::vec3(0);
-    set_default_layer(std::move(layer));
-    default_camera.right = {static_cast<double>(options.image_width) / options.image_height, 0, 0};
+    const bool wanted = version >= kNewDefaults;
+    if (wanted == new_defaults_) return;
+    if (default_given) {
+        if (stream_->last().file == 0)
+            stream_->warn(stream_->last(),
+                          "the defaults of this version are not taken, for a #default stands before it");
+        return;
+    }
+    new_defaults_ = wanted;
+    std::swap(default_texture_, other_default_);
+    if (!default_texture_) {
+        scene::Layer layer;
+        layer.pigment.kind = scene::Color{1, 1, 1, 0, 0};
+        layer.finish.edit().ambient = glm::vec3(0);
+        set_default_layer(std::move(layer));
+    }
+    default_camera.right.x = wanted ? static_cast<double>(options.image_width) / options.image_height : kOldRight;
     if (!camera_given) description.camera = default_camera;
 }
 
@@ -82,6 +110,7 @@ scene::Description SceneBuilder::take()
 {
     const LanguageState& language = stream_->language();
     description.version = language.version < 350 ? 350 : language.version;
+    description.povray = language.povray;
     description.effective_version = language.version_set ? description.version : 362;
     if (!noise_generator_given) description.global.noise_generator = default_noise_generator();
     description.global.assumed_gamma = language.assumed_gamma;

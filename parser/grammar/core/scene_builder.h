@@ -23,7 +23,7 @@ class SceneBuilder final : public GrammarHooks {
 public:
     SceneBuilder();
 
-    void attach(TokenStream& stream) { stream_ = &stream; }
+    void attach(TokenStream& stream);
     TokenStream& stream() { return *stream_; }
     int version() { return stream_->language().version; }
 
@@ -134,9 +134,13 @@ private:
     /// settings.
     SceneQueries* queries();
     int default_noise_generator() const;  ///< of the language version
+    void take_defaults(int version, const Options& options);
     TokenStream* stream_ = nullptr;
     TopLevel top_level_{*this};
     scene::TexturePtr default_texture_;
+    scene::TexturePtr
+        other_default_;          ///< of version 3.8 or of those before it, whichever is not in force; null: unmade
+    bool new_defaults_ = false;  ///< the one in force is that of version 3.8
     csg::Transform textured_at_;
     std::set<std::string> told_;
     std::shared_ptr<const scene::Object> solid_;  ///< the last that was found to have an inside

@@ -59,7 +59,7 @@ struct scale : item<Kind::Scale, a_vector> {
 };
 struct matrix_number : seq<opt_comma, a_number> {};
 struct matrix_open : token<Kind::Less> {};
-struct matrix_close : token<Kind::Greater> {};
+struct matrix_close : seq<opt_comma, token<Kind::Greater>> {};
 struct matrix : item<Kind::Matrix, matrix_open, pegtl::rep<12, must<matrix_number>>, matrix_close> {
     static void act(TransformState& s)
     {

@@ -75,6 +75,7 @@ struct patch_points : taker<patch_points>, always {
             if (&point != &s.solid.points[0]) in.accept_comma();
             read_value(in, point);
         }
+        if (!in.strictly_37()) in.accept_comma();
         return true;
     }
     static Form form() { return form_of<pegtl::rep<16, a_vector, opt_comma>>(); }

@@ -22,9 +22,8 @@ struct fog_type : item<Kind::FogType, a_number> {
 /// A colour has a word before it or is an identifier that holds one: a number alone is the distance (spec 2, 16.1).
 bool at_fog_color(TokenStream& in)
 {
-    const Token& token = in.peek();
-    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
-    const Value* value = in.value_of(token);
+    if (!in.at_name()) return lexical_class(in.peek().kind) == LexicalClass::Color;
+    const Value* value = in.named_ahead();
     const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
     return at_color(in) && (!tuple || tuple->count == 5);
 }

@@ -22,7 +22,7 @@ Map read_map(SceneBuilder& build, const char* what, Entry&& entry)
         entry(map);
         in.expect(Kind::RightSquare, "']' at the end of the map's entry");
         in.accept_comma();
-        if (map.size() > kMostEntries) in.fail(in.last(), "a map has at most 256 entries");
+        if (map.size() > kMostEntries && in.strictly_37()) in.fail(in.last(), "a map has at most 256 entries");
     }
     if (map.empty()) build.fail_unknown("'[' and the first entry of the map");
     build.close_block(what, opened);
@@ -41,9 +41,8 @@ double read_key(SceneBuilder& build)
 /// A colour in a map begins with a colour word or a declared colour.
 bool at_map_color(TokenStream& in)
 {
-    const Token& token = in.peek();
-    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
-    const Value* value = in.value_of(token);
+    if (!in.at_name()) return lexical_class(in.peek().kind) == LexicalClass::Color;
+    const Value* value = in.named_ahead();
     const Tuple* tuple = value ? value->get_if<Tuple>() : nullptr;
     return tuple ? tuple->count == 5 : at_expression(in);
 }
@@ -53,9 +52,8 @@ double read_weight(SceneBuilder& build, bool weights)
 {
     TokenStream& in = build.stream();
     if (!weights) return read_key(build);
-    const Token& token = in.peek();
-    const bool number = token.kind == Kind::Identifier ? in.value_of(token) && in.value_of(token)->get_if<Tuple>()
-                                                       : at_expression(in);
+    const Value* value = in.named_ahead();
+    const bool number = in.at_name() ? value && value->get_if<Tuple>() : at_expression(in);
     return number ? read_key(build) : 1.0;
 }
 

@@ -150,9 +150,8 @@ void read_list(PigmentState& s, int count)
 /// A pigment may begin with a colour word or a declared colour, not with a bare vector.
 bool at_plain_color(TokenStream& in)
 {
-    const Token& token = in.peek();
-    if (token.kind != Kind::Identifier) return lexical_class(token.kind) == LexicalClass::Color;
-    const Value* value = in.value_of(token);
+    if (!in.at_name()) return lexical_class(in.peek().kind) == LexicalClass::Color;
+    const Value* value = in.named_ahead();
     return value && !value->get_if<std::shared_ptr<const scene::Object>>() && at_color(in);
 }
 

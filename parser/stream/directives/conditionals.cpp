@@ -37,16 +37,14 @@ bool TokenStream::read_defined()
     Token name;
     Cell cell;
     if (at_pseudo_scope() != Kind::EndOfText) {
-        cell = read_pseudo_cell(name);
+        const Kind scope = read_pseudo_name(name);
+        cell = in_scope(scope, name.name);
     } else {
         name = raw_next();
-        if (name.kind != Kind::Identifier && !is_keyword(name.kind)) fail(place(name), "expected a name");
+        const bool text = name.kind == Kind::String && !strictly_37();  // which is there, as in 3.8
+        if (name.kind != Kind::Identifier && !is_keyword(name.kind) && !text) fail(place(name), "expected a name");
+        if (text) return expect(Kind::RightParen, "')'"), true;
         if (name.kind == Kind::Identifier) cell = symbols_.find_cell(name.name);
-    }
-    if (is_keyword(name.kind) && new_language()) {
-        warn(place(name), fmt::format("'{}' is a reserved word: it counts as defined", word(name)));
-        if (raw_next().kind != Kind::RightParen) fail(last(), "expected ')' after the name");
-        return true;
     }
     const Kind behind = cell && is_container(*cell) ? peek_raw().kind : Kind::EndOfText;
     if (behind == Kind::LeftSquare || behind == Kind::Period) cell = subscripted(cell, name, true);

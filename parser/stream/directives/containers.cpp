@@ -14,16 +14,16 @@ namespace {
 
 constexpr double kMostElements = 100'000'000;
 
-/// One element more. References into the old memory stay readable.
-void grow(Array& array)
+/// To so many elements. References into the old memory stay readable.
+void grow(Array& array, std::size_t elements)
 {
-    if (array.elements.size() == array.elements.capacity()) {
+    if (elements > array.elements.capacity()) {
         std::vector<Value> wider;
-        wider.reserve(std::max<std::size_t>(8, 2 * array.elements.size()));
+        wider.reserve(std::max<std::size_t>({8, elements, 2 * array.elements.size()}));
         wider = array.elements;
         array.retired.push_back(std::exchange(array.elements, std::move(wider)));
     }
-    array.elements.emplace_back();
+    array.elements.resize(elements);
     array.sizes[0] = static_cast<std::uint32_t>(array.elements.size());
 }
 
@@ -39,7 +39,8 @@ Cell TokenStream::element_cell(const std::shared_ptr<Array>& array, const Token&
         expect(Kind::RightSquare, "']'");
         raw_operators_ = raw;
         if (!(at >= 0.0)) fail(last(), fmt::format("a subscript of '{}' is negative", word(name)));
-        if (array->growing && may_create && std::floor(at) == array->sizes[0]) grow(*array);
+        if (array->growing && may_create && at >= array->sizes[0] && at < kMostElements)
+            grow(*array, static_cast<std::size_t>(at) + 1);
         const std::uint32_t size = array->sizes[dimension];
         if (at >= size)
             fail(last(),
@@ -112,9 +113,9 @@ std::shared_ptr<Array> TokenStream::read_array()
     next();
     const bool raw = std::exchange(raw_operators_, false);
     auto array = std::make_shared<Array>();
-    if (at_new_word("mixed")) next(), array->mixed = true;
+    if (accept(Kind::Mixed)) array->mixed = true;
     double elements = 1;
-    if (new_language() && peek_raw().kind != Kind::LeftSquare) {
+    if (peek_raw().kind != Kind::LeftSquare) {
         array->growing = true;
         array->sizes.push_back(0);
         elements = 0;
@@ -129,7 +130,7 @@ std::shared_ptr<Array> TokenStream::read_array()
         array->sizes.push_back(static_cast<std::uint32_t>(size));
     }
     array->elements.resize(static_cast<std::size_t>(elements));
-    if (at_new_word("optional")) next(), array->gaps = true;
+    if (as_word(peek_raw()).kind == Kind::Optional) next(), array->gaps = true;
     if (peek_raw().kind == Kind::LeftBrace) {
         std::size_t at = 0;
         raw_operators_ = !new_language();
@@ -158,11 +159,12 @@ void TokenStream::read_elements(Array& array, std::size_t dimension, std::size_t
         if (dimension + 1 < array.sizes.size()) {
             read_elements(array, dimension + 1, at);
         } else if (array.gaps && (peek().kind == Kind::Comma || peek().kind == Kind::RightBrace)) {
+            if (array.growing) grow(array, at + 1);
             ++at;
             if (peek().kind == Kind::RightBrace) continue;
         } else {
             Value value = read_element(i + 1 == array.sizes[dimension] && !array.growing);
-            if (array.growing) grow(array);
+            if (array.growing) grow(array, at + 1);
             if (array.kind == 0) array.kind = kind_of(value);
             if (array.kind != kind_of(value) && !array.mixed)
                 fail(last(), fmt::format("the elements of this array are of type {}, this is {}",
@@ -200,9 +202,7 @@ std::shared_ptr<Dictionary> TokenStream::read_dictionary()
         while (peek().kind != Kind::RightBrace) {
             const std::string key = read_key();
             expect(Kind::Colon, "':' and the member's value");
-            Cell made = std::make_shared<Value>(read_value());
-            if (!dictionary->members.emplace(key, std::move(made)).second)
-                fail(last(), fmt::format("'{}' stands here twice", key));
+            dictionary->members.insert_or_assign(key, std::make_shared<Value>(read_value()));
             accept_comma();
         }
         next();

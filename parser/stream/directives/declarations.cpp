@@ -12,17 +12,18 @@ namespace parser {
 DeclarationTarget TokenStream::read_declaration_target()
 {
     DeclarationTarget target;
-    const Kind pseudo = at_pseudo_scope();
-    if (pseudo != Kind::EndOfText) {
-        raw_next();
-        raw_next();
-        target.global = pseudo == Kind::Identifier;
-        target.local = !target.global;
-    }
-    target.name = raw_next();
     const Token& name = target.name;
-    if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
-    const Value* whole = symbols_.find(name.name);
+    Cell cell;
+    if (at_pseudo_scope() != Kind::EndOfText) {
+        const Kind scope = read_pseudo_name(target.name);
+        target.global = scope == Kind::Global;
+        target.local = !target.global;
+        cell = in_scope(scope, name.name);
+    } else {
+        target.name = raw_next();
+        if (name.kind != Kind::Identifier) fail_expected_at(name, "a name to declare that is no reserved word");
+    }
+    const Value* whole = target.global || target.local ? cell.get() : symbols_.find(name.name);
     target.known = whole != nullptr;
     if (!whole || whole->get_if<Tuple>()) return target;
     if (whole->get_if<std::shared_ptr<const Macro>>()) fail(place(name), fmt::format("'{}' is a macro", word(name)));
@@ -31,7 +32,7 @@ DeclarationTarget TokenStream::read_declaration_target()
         fail(place(name), fmt::format("'{}' is a function already; #undef it first", word(name)));
     const Kind next = is_container(*whole) ? peek_raw().kind : Kind::EndOfText;
     if (next == Kind::LeftSquare || next == Kind::Period)
-        target.element = subscripted(symbols_.find_cell(name.name), name, true, &target.array);
+        target.element = subscripted(cell ? cell : symbols_.find_cell(name.name), name, true, &target.array);
     return target;
 }
 
@@ -55,8 +56,7 @@ void TokenStream::declare(bool local)
 {
     std::optional<Deprecation> deprecation;
     if (peek_raw().kind == Kind::Deprecated) deprecation = read_deprecation();
-    if (new_language() && (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace))
-        return declare_several(local);
+    if (peek_raw().kind == Kind::LeftParen || ahead_->kind == Kind::LeftBrace) return declare_several(local);
     const std::uint32_t scope = symbols_.depth();
     const DeclarationTarget target = read_declaration_target();
     if (Token equal = raw_next(); equal.kind != Kind::Equal)
@@ -105,8 +105,9 @@ void TokenStream::end_declaration(bool numeric)
 
 void TokenStream::undefine()
 {
-    if (at_pseudo_scope() != Kind::EndOfText) raw_next(), raw_next();
-    const Token name = raw_next();
+    Token name;
+    if (at_pseudo_scope() != Kind::EndOfText) read_pseudo_name(name);
+    else name = raw_next();
     if (name.kind != Kind::Identifier) fail_expected_at(name, "the name to forget");
     const Cell whole = symbols_.find_cell(name.name);
     const Kind behind = whole && is_container(*whole) ? peek_raw().kind : Kind::EndOfText;
@@ -138,11 +139,10 @@ void TokenStream::set_version(std::uint32_t hash)
     constexpr double kLatest = 380.0, kPatched = 371.0;
     if (!(version <= kLatest)) fail(at, "this scene asks for a later version of the language than 3.8");
     if (version >= kPatched && version < kLatest) warn(at, "this version has the words of 3.8, but it is not 3.8");
-    if (version == kLatest && hash == 0 && cursors_.size() == 1) language_.begins_with_380 = true;
-    if (version == kLatest && !language_.begins_with_380 && language_.version < static_cast<int>(kLatest))
-        fail(at, "#version 3.8 must be the first statement of a scene");
     language_.version = static_cast<int>(std::max(version, 0.0));
     language_.version_set = true;
+    const bool in_scene = cursors_.back().file == 0;  // an include may restore a version that it was not drawn with
+    if (in_scene && version >= kPatched && !options_.povray) language_.povray = scene::PovRay::V38;
     hooks_.version_changed(language_.version, options_);
     if (peek_raw().kind != Kind::Semicolon) warn(at, "#version should end in ';'");
     end_declaration(false);
@@ -150,13 +150,13 @@ void TokenStream::set_version(std::uint32_t hash)
 
 Value TokenStream::read_identifier_value(Named* named)
 {
-    const Token name = *ahead_;
-    Cell cell = symbols_.find_cell(name.name);
-    if (!cell && is_new_constant(name)) return untyped_expr(*this);
+    const bool plain = ahead_->kind == Kind::Identifier;
+    Token name = *ahead_;
+    Cell cell = plain ? symbols_.find_cell(name.name) : take_name(name);
     if (!cell) fail_undeclared(name);
     if (cell->get_if<std::shared_ptr<DataFile>>()) fail(place(name), "a file handle is no value");
     const std::uint32_t scope = symbols_.scope_of(name.name);
-    next();
+    if (plain) next();
     if (is_container(*cell)) cell = subscripted(cell, name, false);
     if (cell->get_if<function::FunctionPtr>() || cell->get_if<SplinePtr>()) {
         const Value copy = *cell;  // reading may change what the name stands for
@@ -194,9 +194,8 @@ Value TokenStream::read_any_value(Named* named)
     if (!named)
         if (Tuple known; run_compiled_here(1, false, known)) return known;
     const Token& token = peek();
-    if (at_pseudo_scope() != Kind::EndOfText) return read_pseudo_value();
+    if (token.kind != Kind::Identifier && at_pseudo_scope() != Kind::EndOfText) return read_identifier_value(named);
     if (token.kind == Kind::Identifier) {
-        if (new_language() && word(token) == "dictionary" && !value_of(token)) return read_dictionary();
         if (language_.version < 350)  // a declared colour begins a colour, as in `C transmit 0.5`
             if (const Value* value = value_of(token); value && kind_of(*value) == kind_of(Tuple{{}, 5}))
                 return Tuple::of(color_expr(*this));
@@ -206,6 +205,7 @@ Value TokenStream::read_any_value(Named* named)
     if (lexical_class(token.kind) == LexicalClass::Color) return Tuple::of(color_expr(*this));
     if (at_expression(*this)) return untyped_expr(*this);
     if (token.kind == Kind::Array) return read_array();
+    if (token.kind == Kind::Dictionary) return read_dictionary();
     if (token.kind == Kind::Function) return read_function_value(*this);
     if (token.kind == Kind::Spline) return read_spline(*this);
     const bool raw = std::exchange(raw_operators_, false);

@@ -24,8 +24,7 @@ void TokenStream::define_macro(std::uint32_t hash)
     macro->file = cursors_.back().file;
     if (Token open = raw_next(); open.kind != Kind::LeftParen) fail_expected_at(open, "'(' and the macro's parameters");
     for (Token token = raw_next(); token.kind != Kind::RightParen; token = raw_next()) {
-        const bool optional = new_language() && token.kind == Kind::Identifier && word(token) == "optional" &&
-                              peek_raw().kind == Kind::Identifier;
+        const bool optional = as_word(token).kind == Kind::Optional && peek_raw().kind == Kind::Identifier;
         if (optional) token = raw_next();
         if (token.kind != Kind::Identifier) fail_expected_at(token, "a parameter's name or ')'");
         macro->parameters.push_back(token.name);

@@ -1,86 +1,144 @@
 #include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
+#include "parser/stream/values/elements.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-/// What version 3.8 adds and that is no container: its words are names in all scenes of earlier versions.
+/// What version 3.8 adds and that is no container.
 namespace parser {
 
-/// A name that is a word of version 3.8 here: nothing is declared by it.
-bool TokenStream::at_new_word(std::string_view wanted)
+const Token& TokenStream::new_word(const Token& token) const
 {
-    if (!new_language()) return false;
-    const Token& token = peek_raw();
-    return token.kind == Kind::Identifier && word(token) == wanted && !value_of(token);
+    const bool left_out = options_.povray == scene::PovRay::V37 && names_.new_word(token.name) != Kind::Steps;
+    return left_out || value_of(token) ? token : files_[token.file]->new_words[token.jump];
 }
 
-const Value* TokenStream::member_ahead()
+/// Of a name that would be a word of 3.8, or nothing.
+std::string TokenStream::why_no_word(const Token& token) const
 {
-    const Value* value = value_of(peek());
-    const Cursor& cursor = cursors_.back();
-    std::uint32_t at = cursor.position;
-    const auto kind = [&](std::uint32_t i) { return i < cursor.end ? cursor.tokens[i].kind : Kind::EndOfText; };
+    if (token.kind != Kind::Identifier || token.jump == kNoIndex) return {};
+    return fmt::format("; '{}' is a word of POV-Ray 3.8, and --povray=3.7 asks for the language before it",
+                       word(token));
+}
+
+/// Reads the tokens from `at` + 1 to the bracket that closes the one at `at`, behind which `at` stands then. What that
+/// draws of random numbers is given back, for the same text is read again where it counts. False: it is not closed.
+template <class Read>
+bool TokenStream::look_into_brackets(const Cursor& in, std::uint32_t& at, Read&& read)
+{
+    std::uint32_t close = at + 1;
+    for (int open = 1; close < in.end; ++close) {
+        open += in.tokens[close].kind == Kind::LeftSquare;
+        open -= in.tokens[close].kind == Kind::RightSquare;
+        if (open == 0) break;
+    }
+    if (close >= in.end) return false;
+    const std::vector<std::uint32_t> drawn = random_streams_;
+    read_again(&in.tokens[at + 1], &in.tokens[close] + 1, read);
+    random_streams_ = drawn;
+    at = close + 1;
+    return true;
+}
+
+/// `.Key` or `["Key"]` among the tokens that are not taken; `at` then stands behind it.
+std::optional<std::string> TokenStream::key_ahead(const Cursor& in, std::uint32_t& at)
+{
+    if (at + 1 >= in.end) return std::nullopt;
+    if (in.tokens[at].kind == Kind::Period) {
+        at += 2;
+        return word(in.tokens[at - 1]);
+    }
+    std::string key;
+    if (in.tokens[at].kind != Kind::LeftSquare || !look_into_brackets(in, at, [&] { key = string_expr(*this); }))
+        return std::nullopt;
+    return key;
+}
+
+/// The element of a mixed array among such tokens; null: none is named. Elements of others are all alike.
+const Value* TokenStream::element_ahead(const Array& array, const Cursor& in, std::uint32_t& at)
+{
+    std::size_t index = 0;
+    for (const std::uint32_t size : array.sizes) {
+        double subscript = -1.0;
+        if (at >= in.end || in.tokens[at].kind != Kind::LeftSquare) return nullptr;
+        if (!look_into_brackets(in, at, [&] { subscript = float_expr(*this) + kSubscriptSlack; })) return nullptr;
+        if (!(subscript >= 0.0 && subscript < size)) return nullptr;
+        index = index * size + static_cast<std::size_t>(subscript);
+    }
+    return &array.elements[index];
+}
+
+const Value* TokenStream::named_ahead()
+{
+    const Token& token = peek();
+    const Kind scope = at_pseudo_scope();
+    const Value* value = scope == Kind::EndOfText && token.kind == Kind::Identifier ? value_of(token) : nullptr;
+    if (scope == Kind::EndOfText && (!value || !is_container(*value))) return value;
+    const Cursor in = cursors_.back();
+    std::uint32_t at = in.position;
+    if (scope != Kind::EndOfText)
+        if (const auto key = key_ahead(in, at)) value = in_scope(scope, names_.intern(*key)).get();
     while (value) {
-        const auto* dictionary = value->get_if<std::shared_ptr<Dictionary>>();
-        if (!dictionary) break;
-        std::string key;
-        if (kind(at) == Kind::Period) {
-            key = word(cursor.tokens[at + 1]);
-            at += 2;
-        } else if (kind(at) == Kind::LeftSquare && kind(at + 1) == Kind::String) {
-            key = files_[cursor.file]->strings[cursor.tokens[at + 1].name];
-            at += 3;
+        if (const auto* dictionary = value->get_if<std::shared_ptr<Dictionary>>()) {
+            if (at >= in.end || (in.tokens[at].kind != Kind::Period && in.tokens[at].kind != Kind::LeftSquare)) break;
+            const auto key = key_ahead(in, at);
+            const auto found = key ? (*dictionary)->members.find(*key) : (*dictionary)->members.end();
+            value = found == (*dictionary)->members.end() ? nullptr : found->second.get();
+        } else if (const auto* array = value->get_if<std::shared_ptr<Array>>(); array && (*array)->mixed) {
+            if (at >= in.end || in.tokens[at].kind != Kind::LeftSquare) break;
+            value = element_ahead(**array, in, at);
         } else {
             break;
         }
-        const auto found = (*dictionary)->members.find(key);
-        value = found == (*dictionary)->members.end() ? nullptr : found->second.get();
     }
     return value;
 }
 
-bool TokenStream::is_new_constant(const Token& token) const
-{
-    return new_language() && token.kind == Kind::Identifier && word(token) == "tau" && !value_of(token);
-}
-
-/// At `local.` (Local) or `global.` (Identifier); else EndOfText.
 Kind TokenStream::at_pseudo_scope()
 {
-    if (!new_language()) return Kind::EndOfText;
-    const Token& token = peek_raw();
-    const bool global = token.kind == Kind::Identifier && word(token) == "global" && !value_of(token);
-    if (token.kind != Kind::Local && !global) return Kind::EndOfText;
+    const Kind scope = as_word(peek_raw()).kind;
+    if (scope != Kind::Local && scope != Kind::Global) return Kind::EndOfText;
     const Cursor& cursor = cursors_.back();
-    if (cursor.position >= cursor.end || cursor.tokens[cursor.position].kind != Kind::Period) return Kind::EndOfText;
-    return token.kind;
+    if (cursor.position >= cursor.end) return Kind::EndOfText;
+    const Kind behind = cursor.tokens[cursor.position].kind;
+    return behind == Kind::Period || behind == Kind::LeftSquare ? scope : Kind::EndOfText;
 }
 
-/// `local.X`, `global.X`: what X means in the innermost or the outermost scope alone. Null: nothing.
-Cell TokenStream::read_pseudo_cell(Token& name)
+/// What a name means in the innermost or the outermost scope alone. Null: nothing.
+Cell TokenStream::in_scope(Kind scope, std::uint32_t name) const
 {
-    const bool global = raw_next().kind == Kind::Identifier;
-    raw_next();
-    name = raw_next();
-    if (name.kind != Kind::Identifier) fail_expected_at(name, "a name behind the scope");
-    return global                                 ? symbols_.find_global(name.name)
-           : symbols_.in_current_scope(name.name) ? symbols_.find_cell(name.name)
-                                                  : nullptr;
+    if (scope == Kind::Global) return symbols_.find_global(name);
+    return symbols_.in_current_scope(name) ? symbols_.find_cell(name) : nullptr;
 }
 
-Value TokenStream::read_pseudo_value()
+/// `local.X`, `global["X"]`: takes it; the scope and the name.
+Kind TokenStream::read_pseudo_name(Token& name)
 {
-    Token name;
-    Cell cell = read_pseudo_cell(name);
-    if (!cell) fail(place(name), fmt::format("'{}' is not declared in this scope", word(name)));
-    if (is_container(*cell)) cell = subscripted(cell, name, false);
-    if (const Tuple* tuple = cell->get_if<Tuple>()) return continue_sum(*this, *tuple, 1);
-    return deep_copy(*cell);
+    const Token scope = as_word(raw_next());
+    const bool bracket = peek_raw().kind == Kind::LeftSquare;
+    const std::string key = read_key();
+    name = bracket ? scope : *last_;
+    name.kind = Kind::Identifier;
+    name.name = names_.intern(key);
+    return scope.kind;
 }
 
-/// `#declare (A, B) = (1, 2);` and `#declare { A, , B } = Array;`. All values are read before the first is stored.
+Cell TokenStream::take_name(Token& name)
+{
+    if (at_pseudo_scope() != Kind::EndOfText) {
+        const Kind scope = read_pseudo_name(name);
+        Cell cell = in_scope(scope, name.name);
+        if (!cell) fail(place(name), fmt::format("'{}' is not declared in this scope", word(name)));
+        return cell;
+    }
+    name = next();
+    return name.kind == Kind::Identifier ? symbols_.find_cell(name.name) : nullptr;
+}
+
+/// `#declare (A, B) = (1, 2);` and `#declare { A, , B } = Array;`. A value between parentheses is stored before the
+/// next is read, so that `(A, B) = (B, A)` gives both the value of B.
 void TokenStream::declare_several(bool local)
 {
     const std::uint32_t scope = symbols_.depth();
@@ -93,7 +151,7 @@ void TokenStream::declare_several(bool local)
     std::vector<Place> places;
     for (;;) {
         Place one;
-        if (at_new_word("optional")) raw_next(), one.optional = true;
+        if (as_word(peek_raw()).kind == Kind::Optional) raw_next(), one.optional = true;
         one.wanted = peek_raw().kind != Kind::Comma && peek_raw().kind != closing;
         if (one.wanted) one.target = read_declaration_target();
         places.push_back(std::move(one));
@@ -104,27 +162,27 @@ void TokenStream::declare_several(bool local)
         fail_expected_at(close, fmt::format("',' or '{}'", spelling(closing)));
     if (Token equal = raw_next(); equal.kind != Kind::Equal) fail_expected_at(equal, "'=' and the values");
 
-    std::vector<Value> values(places.size());
+    const auto keep = [&](const Place& to, Value value) {
+        if (!to.wanted || (!value.set() && to.optional)) return;
+        if (!value.set()) fail(last(), fmt::format("there is no value for '{}'", word(to.target.name)));
+        store(to.target, std::move(value), local, scope);
+    };
     if (from_array) {
         const Value read = read_value();
         const auto* array = read.get_if<std::shared_ptr<Array>>();
         if (!array || (*array)->sizes.size() != 1) fail(last(), "expected an array of one dimension");
-        for (std::size_t i = 0; i < values.size() && i < (*array)->elements.size(); ++i)
-            values[i] = (*array)->elements[i];
+        for (std::size_t i = 0; i < places.size(); ++i)
+            keep(places[i], i < (*array)->elements.size() ? (*array)->elements[i] : Value());
     } else {
         expect(Kind::LeftParen, "'(' and the values");
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (i > 0) expect(Kind::Comma, "',' and the next value");
-            if (peek().kind != Kind::Comma && peek().kind != Kind::RightParen) values[i] = read_value();
+            const bool given = peek().kind != Kind::Comma && peek().kind != Kind::RightParen;
+            keep(places[i], given ? read_value() : Value());
         }
         expect(Kind::RightParen, fmt::format("')' after {} values", places.size()));
     }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!places[i].wanted || (!values[i].set() && places[i].optional)) continue;
-        if (!values[i].set()) fail(last(), fmt::format("there is no value for '{}'", word(places[i].target.name)));
-        store(places[i].target, std::move(values[i]), local, scope);
-    }
-    end_declaration(true);
+    end_declaration(false);
 }
 
 }  // namespace parser

@@ -26,6 +26,9 @@ TokenStream::TokenStream(const Options& options, GrammarHooks& hooks, MessageSin
 {
     language_.version = options.version;
     language_.version_set = options.version_given;
+    constexpr int kFirstOf38 = 371;
+    language_.povray = options.povray.value_or(
+        options.version_given && options.version >= kFirstOf38 ? scene::PovRay::V38 : scene::PovRay::V37);
     later_ = options.most_tokens != 0 ? options.most_tokens : std::numeric_limits<std::uint64_t>::max();
     predefine();
     runner_ = std::make_unique<blocks::Runner>(*this);
@@ -138,6 +141,7 @@ void TokenStream::fetch()
             ahead_raw_ = false;
             if (ahead_->kind != Kind::Hash && !is_macro(*ahead_)) {
                 if (!deprecated_.empty() && ahead_->kind == Kind::Identifier) warn_deprecated(*ahead_);
+                ahead_ = &as_word(*ahead_);
                 return;
             }
             has_ahead_ = false;
@@ -161,7 +165,9 @@ void TokenStream::fetch()
                     break;
                 }
             if (!deprecated_.empty()) warn_deprecated(token);
-            [[fallthrough]];
+            ahead_ = &as_word(token);
+            has_ahead_ = true;
+            return;
         default:
             ahead_ = &token;
             has_ahead_ = true;

@@ -131,8 +131,9 @@ double string_function(TokenStream& stream, Kind kind)
 
 double array_function(TokenStream& stream, Kind kind)
 {
-    const Token name = stream.next();
-    const Cell cell = name.kind == Kind::Identifier ? stream.symbols().find_cell(name.name) : nullptr;
+    Token name;
+    Cell cell = stream.take_name(name);
+    if (cell && cell->get_if<std::shared_ptr<Dictionary>>()) cell = stream.subscripted(cell, name, false);
     const auto* array = cell ? cell->get_if<std::shared_ptr<Array>>() : nullptr;
     if (!array) stream.fail(stream.place(name), "expected the name of an array");
     const auto kept = *array;
@@ -200,6 +201,7 @@ double read_float_word(TokenStream& stream, const Token& word)
 {
     switch (word.kind) {
     case Kind::Pi: return std::numbers::pi;
+    case Kind::Tau: return 2.0 * std::numbers::pi;
     case Kind::True:
     case Kind::Yes:
     case Kind::On: return 1.0;

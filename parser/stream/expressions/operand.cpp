@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace parser {
 namespace {
@@ -56,9 +55,8 @@ Tuple read_vector_literal(TokenStream& stream)
 
 Tuple read_identifier(TokenStream& stream, int requested)
 {
-    const Token name = stream.next();
-    Cell cell = stream.symbols().find_cell(name.name);
-    if (!cell && stream.is_new_constant(name)) return replicated(2.0 * std::numbers::pi, requested);
+    Token name;
+    Cell cell = stream.take_name(name);
     if (!cell) stream.fail_undeclared(name);
     if (is_container(*cell)) cell = stream.subscripted(cell, name, false);
     if (const Tuple* tuple = cell->get_if<Tuple>()) {
@@ -80,26 +78,12 @@ Tuple read_identifier(TokenStream& stream, int requested)
                                         std::string(type_name(*cell)));
 }
 
-/// `local.X`, `global.X`.
-Tuple read_pseudo(TokenStream& stream, int requested)
-{
-    Token name;
-    Cell cell = stream.read_pseudo_cell(name);
-    if (cell && is_container(*cell)) cell = stream.subscripted(cell, name, false);
-    const Tuple* tuple = cell ? cell->get_if<Tuple>() : nullptr;
-    if (!tuple)
-        stream.fail(stream.place(name),
-                    "expected a number or vector, but '" + stream.word(name) + "' is none in this scope");
-    return tuple->count == 1 ? replicated(tuple->at[0], requested) : *tuple;
-}
-
 Tuple read_primary(TokenStream& stream, int requested)
 {
     const Token token = stream.peek();
-    if (stream.new_language() && stream.at_pseudo_scope() != Kind::EndOfText) return read_pseudo(stream, requested);
+    if (stream.at_name()) return read_identifier(stream, requested);
     switch (token.kind) {
     case Kind::Number: stream.next(); return replicated(token.number, requested);
-    case Kind::Identifier: return read_identifier(stream, requested);
     case Kind::Less: stream.next(); return read_vector_literal(stream);
     case Kind::LeftParen: {
         stream.next();
@@ -177,19 +161,16 @@ bool begins_operand(Kind kind)
 bool at_expression(TokenStream& stream)
 {
     const Token& token = stream.peek();
-    if (token.kind == Kind::Local) return stream.at_pseudo_scope() != Kind::EndOfText;
-    if (token.kind != Kind::Identifier) return begins_operand(token.kind);
-    const Value* value = stream.member_ahead();
-    return value ? holds<Tuple, function::FunctionPtr, SplinePtr>(*value)
-                 : stream.is_new_constant(token) || stream.at_pseudo_scope() != Kind::EndOfText;
+    if (!stream.at_name()) return begins_operand(token.kind);
+    const Value* value = stream.named_ahead();
+    return value && holds<Tuple, function::FunctionPtr, SplinePtr>(*value);
 }
 
 bool at_string(TokenStream& stream)
 {
     const Token& token = stream.peek();
     if (token.kind == Kind::String || lexical_class(token.kind) == LexicalClass::String) return true;
-    if (token.kind != Kind::Identifier) return false;
-    const Value* value = stream.member_ahead();
+    const Value* value = stream.named_ahead();
     return value && holds<std::string>(*value);
 }
 

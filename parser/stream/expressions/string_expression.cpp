@@ -103,7 +103,7 @@ std::string read_string(TokenStream& stream, bool path)
         stream.set_raw_operators(raw);
         return text;
     }
-    if (token.kind == Kind::Identifier)
+    if (stream.at_name())
         if (auto text = stream.accept_identifier<std::string>()) return *text;
     stream.fail_expected("a text, as in \"name\"");
 }

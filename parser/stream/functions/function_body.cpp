@@ -160,6 +160,7 @@ BodyReader::Value BodyReader::operand()
     case Kind::V:  // no parameter is called so
         return stream_.next(), build_.constant(0.0);
     case Kind::Pi: return stream_.next(), build_.constant(std::numbers::pi);
+    case Kind::Tau: return stream_.next(), build_.constant(2.0 * std::numbers::pi);
     case Kind::Clock:
         return stream_.next(), build_.constant(static_cast<double>(static_cast<float>(stream_.options().clock)));
     case Kind::Identifier: return named(token);
@@ -173,7 +174,6 @@ BodyReader::Value BodyReader::named(const Token& token)
 {
     stream_.next();
     Cell cell = stream_.symbols().find_cell(token.name);
-    if (!cell && stream_.is_new_constant(token)) return build_.constant(2.0 * std::numbers::pi);
     if (!cell && token.name == stream_.declaring())
         stream_.fail(stream_.place(token),
                      fmt::format("function '{}' calls itself: functions cannot recurse", stream_.word(token)));

@@ -47,7 +47,7 @@ BodyReader::Value BodyReader::select(const Token& token)
 BodyReader::Value BodyReader::loop(const Token& token)
 {
     stream_.expect(Kind::LeftParen, "'(' and the counter's name");
-    const Token name = stream_.next();
+    const Token name = stream_.next_name();
     if (name.kind != Kind::Identifier || stream_.value_of(name))
         stream_.fail(stream_.place(name), "expected a new name for the counter");
     const std::string word = stream_.word(name);

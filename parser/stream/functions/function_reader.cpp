@@ -23,7 +23,7 @@ std::vector<std::string> read_parameters(TokenStream& stream)
 {
     std::vector<std::string> names;
     for (bool more = true; more; more = stream.accept_comma() || stream.peek().kind != Kind::RightParen) {
-        const Token name = stream.next();
+        const Token name = stream.next_name();
         const bool axis = name.kind == Kind::X || name.kind == Kind::Y || name.kind == Kind::Z ||
                           name.kind == Kind::U || name.kind == Kind::V;
         if (name.kind == Kind::Identifier && stream.value_of(name))

@@ -103,6 +103,13 @@ inline bool is_container(const Value& value)
     return value.get_if<std::shared_ptr<Array>>() != nullptr || value.get_if<std::shared_ptr<Dictionary>>() != nullptr;
 }
 
+/// One whose parts are of different types: what a name with subscripts means depends on them.
+inline bool has_parts_of_any_type(const Value& value)
+{
+    const auto* array = value.get_if<std::shared_ptr<Array>>();
+    return (array && (*array)->mixed) || value.get_if<std::shared_ptr<Dictionary>>() != nullptr;
+}
+
 /// "float", "vector", "color", "texture", ... for messages.
 std::string_view type_name(const Value& value);
 

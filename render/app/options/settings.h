@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/files.h"
+#include "render/scene/base/povray.h"
 
 #include <array>
 #include <map>
@@ -118,6 +119,7 @@ struct Settings {
     std::string preview_file;  ///< empty: none
     std::string json_file;     ///< empty: none; "-": standard output
     bool warnings_are_errors = false, make_folders = false, allow_commands = false, restrict_read = false;
+    std::optional<scene::PovRay> povray;     ///< parser::Options::povray
     bool faithful = false;                   ///< plan::Options::faithful
     std::vector<std::string> write_folders;  ///< where a scene may write besides the current folder and the picture's
     std::string isa;                         ///< "v2", "v3", "v4"; empty: the best the processor has

@@ -17,6 +17,7 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     options.declared_numbers = settings.declared_numbers;
     options.declared_strings = settings.declared_strings;
     if (settings.extensions) options.declared_numbers.try_emplace("Whittle", 1.0);
+    options.povray = settings.povray;
     options.version_given = settings.version.has_value();
     options.version = settings.version.value_or(options.version);
     options.image_width = settings.width;

@@ -64,6 +64,7 @@ FunctionProbe::FunctionProbe(const function::FunctionPtr& called, const scene::D
     scene::Description description;
     description.global = so_far.global;
     description.effective_version = so_far.effective_version;
+    description.povray = so_far.povray;
     description.global.number_of_waves = kWaves;
     std::vector<scene::Unsupported> notes;
     TextureCompiler compiler(description, Quality(), set_, notes);  // of all that a picture may have

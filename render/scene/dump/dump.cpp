@@ -248,6 +248,7 @@ std::string dump(const Description& d)
 {
     DumpWriter out;
     out.line("version", fmt::format("{} effective {}", d.version, d.effective_version));
+    if (d.povray == PovRay::V38) out.line("drawn as", "3.8");
     dump(out, d.global);
     dump(out, d.camera);
     out.line("background", text(d.background) + (d.background_given ? "" : " (default)"));
