@@ -61,7 +61,40 @@ glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const sc
     return light * metallic_tint(finish.metallic, glm::dot(n, l), pigment);
 }
 
+double seen_share(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, double eta)
+{
+    const auto share = static_cast<double>(finish.own_fresnel);
+    return share == 0.0 ? 1.0 : 1.0 - share * fresnel_share(eta, std::abs(glm::dot(d, n)));
+}
+
+Finish met_by_light(const Finish& finish, double opacity, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l,
+                    double eta)
+{
+    Finish met = finish;
+    if (finish.use_alpha) {
+        met.phong *= static_cast<float>(opacity);
+        met.specular *= static_cast<float>(opacity);
+    }
+    if (finish.own_fresnel == 0.0f) return met;
+    const auto share = static_cast<double>(finish.own_fresnel);
+    const double toward_light = fresnel_share(eta, std::abs(glm::dot(n, l)));
+    const glm::dvec3 half = l - d;
+    const double toward_half = fresnel_share(eta, std::abs(glm::dot(half, d)) / glm::length(half));
+    const auto inward = static_cast<float>((1.0 - share * toward_light) * seen_share(finish, d, n, eta));
+    met.diffuse *= inward;
+    met.diffuse_back *= inward;
+    met.phong *= static_cast<float>(share * toward_light);
+    met.specular *= static_cast<float>(share * toward_half);
+    return met;
+}
+
 namespace {
+
+/// What mirroring is left of where opacity dims it.
+glm::vec3 dimmed(const Finish& finish, const scene::Color& pigment, const glm::vec3& reflectivity)
+{
+    return finish.use_alpha ? reflectivity * opacity(pigment, false) : reflectivity;
+}
 
 /// Schlick, "An inexpensive BRDF model for physically-based rendering" (1994): no critical angle, no polarisation.
 /// Hardly ever asked, and not to make reflectivity() too long to be inlined.
@@ -85,14 +118,14 @@ glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double
         return reflectivity_at(finish, pigment, c, static_cast<float>(s));
     }
     if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
-    return r;
+    return dimmed(finish, pigment, r);
 }
 
 glm::vec3 reflectivity_at(const Finish& finish, const scene::Color& pigment, double c, float share)
 {
     glm::vec3 r = share * finish.reflection_max + (1.0f - share) * finish.reflection_min;
     if (finish.reflection_metallic != 0.0f) r *= metallic_tint(finish.reflection_metallic, c, pigment);
-    return r;
+    return dimmed(finish, pigment, r);
 }
 
 glm::vec3 film(const Finish& finish, double h, double cos_light, double cos_view, const glm::vec3& wavelength)

@@ -54,6 +54,14 @@ double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, 
 glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
                           const glm::dvec3& n, const glm::dvec3& l);
 
+/// What is left of a finish's own light on the way to the viewer, by Fresnel's law (spec 7b, 1). eta: relative index.
+double seen_share(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, double eta);
+
+/// A finish with `fresnel` or `use_alpha` as one light meets it: its own sizes of diffuse light and highlights.
+/// \param opacity  of the layer
+Finish met_by_light(const Finish& finish, double opacity, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l,
+                    double eta);
+
 /// Reflectivity per channel (7.9). cosine: of the ray that comes back with the normal; eta: relative index, read by a
 /// fresnel finish only.
 glm::vec3 reflectivity(const Finish& finish, const scene::Color& pigment, double cosine, double eta);

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// handles them.
 enum class PatternKind : std::uint8_t {
     Average,
+    UserDefined,
     Uv,
 #define PATTERN(keyword, enumerator, value) enumerator,
 #include "render/texture/pattern_table.inc"

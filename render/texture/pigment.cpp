@@ -1,4 +1,5 @@
 #include "render/texture/evaluate.h"
+#include "render/texture/function_host.h"
 
 #include <algorithm>
 
@@ -60,6 +61,16 @@ scene::Color average_color(const TextureSet& set, const Pigment& pigment, const 
     return divided(sum, weights);
 }
 
+scene::Color function_color(const TextureSet& set, const ColorFunctions& functions, const glm::dvec3& p)
+{
+    const double at[] = {p.x, p.y, p.z};
+    const auto part = [&](std::size_t i) {
+        if (functions[i] == kNone) return 0.0f;
+        return static_cast<float>(function::evaluate(*set.functions[functions[i]], at, FunctionHost(set)));
+    };
+    return {part(0), part(1), part(2), part(3), part(4)};
+}
+
 }  // namespace
 
 scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm::dvec3& p, const Surroundings& around)
@@ -71,6 +82,7 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
     const Pattern& pattern = set.patterns[pigment.pattern];
     const glm::dvec3 q = warp_point(set, pattern, p);
     if (pigment.kind == Pigment::Kind::Image) return image_shown(set.images[pattern.data], q);
+    if (pigment.kind == Pigment::Kind::Functions) return function_color(set, set.color_functions[pigment.first], q);
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
     const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));
     if (pigment.kind == Pigment::Kind::ColorMap) {

@@ -6,6 +6,7 @@
 #include "render/texture/image.h"
 #include "render/texture/pattern.h"
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -17,9 +18,12 @@ class InsideIndex;
 /// All textures of a scene as flat arrays: built once by plan/, read by every thread.
 namespace texture {
 
+/// Functions of x, y, z that are a colour's components, in their order; kNone: 0 everywhere.
+using ColorFunctions = std::array<std::uint32_t, 5>;
+
 /// What a pigment, a normal or a texture with a pattern looks its value up in.
 struct Pigment {
-    enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv, Image } kind = Kind::Solid;
+    enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv, Image, Functions } kind = Kind::Solid;
     scene::Color color;  ///< Solid
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;  ///< entries: keys[first..], and colors (ColorMap) or children beside them
@@ -56,7 +60,9 @@ struct Finish {
     float reflection_power = 1;  ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
     bool schlick = false;             ///< of fresnel: Schlick's approximation
-    bool own_light = false;           ///< FinishExtension::own_light()
+    bool own_light = false;           ///< it has something that is not shaded in lanes: an extension, or the next two
+    bool use_alpha = false;           ///< opacity dims highlights and mirroring
+    float own_fresnel = 0;            ///< share of Fresnel's law in its own light and highlights
     std::uint32_t extension = kNone;  ///< index into TextureSet::extensions
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     /// Light goes below the surface: `diffuse` is 0 then and this is what it was, before albedo. Translucency: mm.
@@ -125,6 +131,7 @@ struct TextureSet {
     std::vector<std::shared_ptr<const scene::Volume>> volumes;
     std::vector<std::shared_ptr<const csg::InsideIndex>> objects;
     std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
+    std::vector<ColorFunctions> color_functions;
     std::vector<float> keys;
     std::vector<scene::Color> colors;
     std::vector<std::uint32_t> children;

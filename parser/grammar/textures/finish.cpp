@@ -17,6 +17,7 @@ struct FinishState : BlockState {
     bool from_zero =
         false;  ///< `fresnel` stands in this block of a reflection: without a second colour the first is the most
     bool two_colors = false;
+    bool one_color = false;    ///< of the reflection that was written in this finish
     float old_brilliance = 0;  ///< where the block begins
     void take(const std::shared_ptr<const scene::Finish>& declared) { finish = *declared; }
 };
@@ -50,11 +51,29 @@ struct roughness : item<Kind::Roughness, a_number> {
     }
 };
 
+/// Of a mirror.
 struct fresnel : item<Kind::Fresnel, number_or<1>> {
     static void act(FinishState& s)
     {
         s.finish.reflection.fresnel = s.pop_int() != 0;
         s.from_zero = s.finish.reflection.fresnel;
+    }
+};
+/// Of all light of the surface, and of its mirror unless what follows says otherwise (spec 7b, 1).
+struct finish_fresnel : item<Kind::Fresnel, a_number> {
+    static void act(FinishState& s)
+    {
+        if (s.stream().strictly_37()) s.fail("'fresnel' of a whole finish is a word of POV-Ray 3.8");
+        s.finish.fresnel = s.pop_single();
+        s.finish.reflection.fresnel = s.finish.fresnel != 0;
+        if (s.one_color && s.finish.fresnel != 0) s.finish.reflection.min = glm::vec3(0);
+    }
+};
+struct use_alpha : item<Kind::UseAlpha, number_or<1>> {
+    static void act(FinishState& s)
+    {
+        if (s.stream().strictly_37()) s.fail("'use_alpha' of a finish is a word of POV-Ray 3.8");
+        s.finish.use_alpha = s.pop_int() != 0;
     }
 };
 /// Stored as the power that the reflected colour is raised to: 1/e (spec 3, 7.9).
@@ -103,16 +122,21 @@ struct reflection : item<Kind::Reflection, by_action<pegtl::sor<ReflectionBlock,
     static void act(FinishState& s)
     {
         Reflection& r = s.finish.reflection;
+        const bool of_finish = s.finish.fresnel != 0;  // a mirror has it too where nothing else is said
         if (s.stream().peek().kind != Kind::LeftBrace) {
-            r.min = r.max = parser::rgb_expr(s.stream()).rgb();
+            r.max = parser::rgb_expr(s.stream()).rgb();
+            r.min = of_finish ? glm::vec3(0) : r.max;
             r.falloff = 1;
-            r.fresnel = false;
+            r.fresnel = of_finish;
+            s.one_color = true;
             return;
         }
         r.min = r.max = glm::vec3(0);
-        s.from_zero = s.two_colors = false;
+        s.from_zero = of_finish;
+        s.two_colors = false;
         ReflectionBlock::read(s.build, s);
         if (s.from_zero && !s.two_colors) r.min = glm::vec3(0);
+        s.one_color = !s.two_colors;
     }
 };
 struct polished : item<Kind::WhittlePolished, a_number> {
@@ -176,7 +200,7 @@ using refraction = moved<Kind::Refraction, &scene::Finish::legacy_refraction>;
 using FinishItems = table<FinishState, diffuse, highlight<Kind::Phong, &Finish::phong, &Finish::phong_albedo>,
                           highlight<Kind::Specular, &Finish::specular, &Finish::specular_albedo>, roughness,
                           one_or_number<Kind::Metallic, &Finish::metallic>, reflection, reflection_exponent, irid,
-                          subsurface, ior, caustics, refraction, polished, cool_warm, ink,
+                          subsurface, ior, caustics, refraction, finish_fresnel, use_alpha, polished, cool_warm, ink,
                           word<Kind::ConserveEnergy, &Finish::conserve_energy>, member<Kind::Ambient, &Finish::ambient>,
                           member<Kind::Emission, &Finish::emission>, member<Kind::Brilliance, &Finish::brilliance>,
                           member<Kind::Crand, &Finish::crand>, member<Kind::PhongSize, &Finish::phong_size>>;

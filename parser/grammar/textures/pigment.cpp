@@ -1,7 +1,9 @@
 #include "parser/grammar/textures/images.h"
 #include "parser/grammar/textures/old_words.h"
 #include "parser/grammar/core/rules.h"
+#include "parser/stream/functions/function.h"
 #include "render/scene/media.h"
+#include "render/scene/textures/color_functions.h"
 
 namespace parser {
 namespace {
@@ -84,7 +86,7 @@ namespace {
 
 void reject_map(PigmentState& s)
 {
-    if (s.mapless) s.fail("a plain colour and an image_map take no map");
+    if (s.mapless) s.fail("a plain colour, an image_map and user_defined take no map");
     if (list_size(s.pattern) > 0) s.fail("'" + s.pattern.name + "' takes a list of colours or pigments, not a map");
 }
 struct color_map : item<Kind::ColorMap, reads<color_map_block>> {
@@ -155,6 +157,26 @@ bool at_plain_color(TokenStream& in)
     return value && !value->get_if<std::shared_ptr<const scene::Object>>() && at_color(in);
 }
 
+/// Functions of a place that are a pigment's components, in their order; any may be left out (spec 7b, 2).
+std::shared_ptr<const scene::ColorFunctions> read_color_functions(SceneBuilder& build)
+{
+    TokenStream& in = build.stream();
+    auto functions = std::make_shared<scene::ColorFunctions>();
+    const scene::SourceRef opened = build.open_block("user_defined");
+    for (function::FunctionPtr& part : functions->parts) {
+        if (in.accept(Kind::Function)) {
+            const scene::SourceRef place = in.last();
+            in.expect(Kind::LeftBrace, "'{' and the function's body");
+            part = read_function_body(in, {});
+            if (part->parameters != 3) in.fail(place, "the function of a component must take x, y and z alone");
+        }
+        const bool more = in.accept_comma() || in.peek().kind == Kind::Function;
+        if (!more) break;
+    }
+    build.close_block("user_defined", opened);
+    return functions;
+}
+
 void read_head(PigmentState& s)
 {
     TokenStream& in = s.stream();
@@ -169,6 +191,14 @@ void read_head(PigmentState& s)
         s.pattern.name = "image_map";
         s.pattern.source = in.last();
         s.pattern.data = read_image_block(s.build, true);
+        s.mapless = true;
+    } else if (in.accept(Kind::UserDefined)) {
+        s.set_plain({});
+        s.colors.clear();
+        s.pigments.clear();
+        s.pattern.name = "user_defined";
+        s.pattern.source = in.last();
+        s.pattern.data = read_color_functions(s.build);
         s.mapless = true;
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
@@ -202,7 +232,7 @@ scene::Pigment finished(PigmentState& s, const scene::SourceRef& source)
     patterned.pattern = std::move(s.pattern);
     if (s.on_surface) {
         patterned.map = scene::PigmentMap{{0, s.on_surface}};
-    } else if (patterned.pattern.name == "image_map") {
+    } else if (patterned.pattern.name == "image_map" || patterned.pattern.name == "user_defined") {
         patterned.map = scene::ColorMap{};
     } else if (!s.pigments.empty()) {
         patterned.map = std::move(s.pigments);
@@ -248,12 +278,15 @@ template <Production (*body)()>
 Form paint_form(Kind keyword, Kind map, Production (*map_block)())
 {
     const Form picture = Form::sequence({Form::token(Kind::ImageMap), Form::named(image_map_block)});
+    const Form part = Form::sequence({Form::token(Kind::Function), Form::named(function_block)});
+    const Form parts = Form::repeated(Form::choice({part, form_of<comma>()}));
+    const Form functions = Form::sequence({Form::token(Kind::UserDefined), Form::braces({parts})});
     const Form block = Form::sequence({Form::token(keyword), Form::braces({Form::named(body)})});
     const Form list = Form::choice({Form::repeated(form_of<a_color>()), Form::repeated(block)});
     const Form pattern = Form::sequence({Form::named(pattern_type), Form::optional(list)});
     const Form items = Form::choice({form_of<color_map>(), Form::sequence({Form::token(map), Form::named(map_block)}),
                                      form_of<quick_color>(), Form::named(pattern_modifier)});
-    const Form head = Form::choice({form_of<a_color>(), picture, Form::token(Kind::UvMapping), pattern});
+    const Form head = Form::choice({form_of<a_color>(), picture, functions, Form::token(Kind::UvMapping), pattern});
     return Form::sequence({Form::optional(Form::operand("identifier")), Form::optional(head), Form::repeated(items)});
 }
 Production pigment_body()

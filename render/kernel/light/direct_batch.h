@@ -119,7 +119,7 @@ public:
         at.holds |= bit;
         at.finish[k] = &finish;
         at.pigment.set(k, row.pigment.rgb());
-        at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha);
+        at.glow.set(k, row.pigment.rgb() * (finish.ambient + finish.emission) * row.alpha * row.glows);
         at.filter.set(k, row.filter);
         at.alpha[k] = row.alpha;
         at.passes[k] = {row.pigment.filter, row.pigment.transmit};

@@ -1,6 +1,7 @@
 #include "render/texture/finish.h"
 #include "render/texture/noise/noise.h"
 #include "numbers/random.h"
+#include "render/kernel/interior/interface.h"
 #include "render/kernel/light/direct_light.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "render/plan/shines_on.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace trace {
 namespace {
@@ -59,7 +61,12 @@ glm::vec3 tone(const ScalarRow& row, const texture::FinishExtension& tones, cons
 glm::vec3 contribution(Context& context, const ScalarRow& row, const light::Light& light,
                        const light::Illumination& lit, const glm::vec3& color, bool behind)
 {
-    const texture::Finish& finish = row.finish;
+    std::optional<texture::Finish> own;
+    if (row.finish.own_fresnel != 0.0f || row.finish.use_alpha) {
+        const double eta = fresnel_index(context.scene.interiors, row.hit.state.interiors, row.hit.surface.interior);
+        own = texture::met_by_light(row.finish, row.alpha, row.hit.state.ray.direction, row.normal, lit.direction, eta);
+    }
+    const texture::Finish& finish = own ? *own : row.finish;
     const double less = finish.crand > 0.0f ? static_cast<double>(finish.crand) * grain(context, row) : 0.0;
     const LitLayer met{finish, row.pigment, row.hit.state.ray.direction, row.normal, row.alpha};
     const double strength = behind || light.shadowless || context.bounce > 0 ? 0.0 : highlight(met, lit.direction);
@@ -135,7 +142,7 @@ bool reaches(const ScalarRow& row, const light::Light& light, const LightSample&
 
 glm::vec3 direct_light(Context& context, const ScalarRow& row)
 {
-    if (row.finish.own_light) [[unlikely]]
+    if (row.finish.own_light && row.finish.extension != texture::kNone) [[unlikely]]
         return extended_light(context, row);
     const auto& lights = context.lights.lights;
     glm::vec3 sum(0);

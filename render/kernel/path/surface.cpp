@@ -15,12 +15,13 @@ namespace {
 
 constexpr float kFaint = 1e-5f;  // a layer that is dimmed to less than this shows in no picture
 
-/// Adds the lobes of a layer's diffuse light and highlights. share: the layer's opacity
-void add_own_light(Bsdf& bsdf, const HitContext& hit, const texture::Finish& finish, const scene::Color& pigment,
-                   const glm::dvec3& normal, const glm::vec3& above, float share)
+/// Adds the lobes of a layer's diffuse light and highlights. described: the finish; finish: with the sizes that it has
+/// here; share: the layer's opacity
+void add_own_light(Bsdf& bsdf, const HitContext& hit, const texture::Finish& described, const texture::Finish& finish,
+                   const scene::Color& pigment, const glm::dvec3& normal, const glm::vec3& above, float share)
 {
     Lobe lobe;
-    lobe.finish = &finish;
+    lobe.finish = &described;
     lobe.pigment = pigment;
     lobe.kind = Lobe::Kind::Diffuse;
     lobe.exponent = static_cast<double>(finish.brilliance);
@@ -124,12 +125,23 @@ void SurfaceReader::add_layer(HitContext& hit, const texture::Texture& texture, 
     stack.first = false;
     const scene::Color c = texture::pigment_color(set_, layer.pigment, p, hit.around);
     const float share = texture.plain ? 1.0f : texture::opacity(c, set_.legacy_opacity);
-    out_.emission += stack.above * c.rgb() * (finish.ambient + finish.emission) * share;
-    add_own_light(out_.bsdf, hit, finish, c, normal, stack.above, share);
+    const bool by_index = finish.fresnel || finish.own_fresnel != 0.0f;
+    const double eta = by_index ? fresnel_index(context_.scene.interiors, hit.state.interiors, hit.surface.interior)
+                                : 1.0;
+    if (finish.own_fresnel != 0.0f || finish.use_alpha) {  // a lobe as light meets it that is mirrored to the viewer
+        const glm::dvec3& d = hit.state.ray.direction;
+        const auto seen = static_cast<float>(texture::seen_share(finish, d, normal, eta));
+        out_.emission += stack.above * c.rgb() * (finish.ambient + finish.emission) * share * seen;
+        add_own_light(
+            out_.bsdf, hit, finish,
+            texture::met_by_light(finish, static_cast<double>(share), d, normal, glm::reflect(d, normal), eta), c,
+            normal, stack.above, share);
+    } else {
+        out_.emission += stack.above * c.rgb() * (finish.ambient + finish.emission) * share;
+        add_own_light(out_.bsdf, hit, finish, finish, c, normal, stack.above, share);
+    }
     glm::vec3 mirrored(0);
     if (finish.reflects()) {
-        const double eta =
-            finish.fresnel ? fresnel_index(context_.scene.interiors, hit.state.interiors, hit.surface.interior) : 1.0;
         mirrored = glm::max(glm::vec3(0), texture::reflectivity(finish, c, hit.state.ray.direction, normal, eta));
         if (!black(mirrored) && stack.mirror_count < stack.mirrors.size()) {
             Lobe& lobe = stack.mirrors[stack.mirror_count++];

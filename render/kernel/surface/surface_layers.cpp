@@ -1,4 +1,5 @@
 #include "render/texture/finish.h"
+#include "render/kernel/interior/interface.h"
 #include "render/kernel/light/direct_batch.h"
 #include "render/kernel/scatter/refraction.h"
 #include "render/kernel/scatter/scatter.h"
@@ -28,6 +29,14 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
     return texture::pigment_color(set, set.layers[texture.first + i].pigment, p, hit.around);
 }
 
+/// What is left of what the finish emits.
+float glow_share(const Context& context, const HitContext& hit, const texture::Finish& finish, const glm::dvec3& normal)
+{
+    if (finish.own_fresnel == 0.0f) return 1.0f;
+    const double eta = fresnel_index(context.scene.interiors, hit.state.interiors, hit.surface.interior);
+    return static_cast<float>(texture::seen_share(finish, hit.state.ray.direction, normal, eta));
+}
+
 /// A row of light for the layer, and what it leaves to those below. Its pigment.
 /// batch: null where no light is asked for.
 [[gnu::always_inline]] inline scene::Color add_layer(Context& context, DirectBatch* batch, HitContext& hit,
@@ -47,8 +56,8 @@ scene::Color pigment_of(const Context& context, const HitContext& hit, const tex
         find_mirror(context, hit, finish, c, normal, stack.residual, mirror);
         const float alpha = texture.plain ? 1.0f : texture::opacity(c, set.legacy_opacity);
         if (batch != nullptr)
-            batch->add_row(hit.lane,
-                           {finish, c, stack.filter, alpha, normal, hit.normal, hit.surface.double_illuminate});
+            batch->add_row(hit.lane, {finish, c, stack.filter, alpha, glow_share(context, hit, finish, normal), normal,
+                                      hit.normal, hit.surface.double_illuminate});
     }
     stack.pass(c, finish, mirror.reflectivity);
     return c;

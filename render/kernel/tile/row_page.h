@@ -89,6 +89,7 @@ struct LitRow {
     const scene::Color& pigment;
     const glm::vec3& filter;  ///< of the layers above
     float alpha;              ///< opacity
+    float glows;              ///< share of what the finish emits that leaves for the viewer
     const glm::dvec3& normal;
     const glm::dvec3& raw_normal;  ///< of the hit
     bool two_sided;                ///< double_illuminate

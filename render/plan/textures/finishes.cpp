@@ -39,6 +39,8 @@ std::uint32_t TextureCompiler::finish(const scene::Shared<scene::Finish>& descri
     to.reflection_metallic = from.reflection.metallic;
     to.fresnel = from.reflection.fresnel;
     to.conserve_energy = from.conserve_energy;
+    to.own_fresnel = from.fresnel;
+    to.use_alpha = from.use_alpha;
     to.irid = from.irid;
     to.irid_thickness = from.irid_thickness;
     to.irid_turbulence = from.irid_turbulence;
@@ -57,6 +59,7 @@ std::uint32_t TextureCompiler::finish(const scene::Shared<scene::Finish>& descri
 void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)
 {
     to.schlick = from.reflection.schlick;
+    to.own_light = to.own_fresnel != 0.0f || to.use_alpha;
     const bool gloss = from.reflection.gloss > 0.0f;
     if (!gloss && from.polished == 0.0f && !from.cool_warm && from.ink == 0.0f) return;
     texture::FinishExtension extension;
@@ -76,7 +79,7 @@ void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)
     extension.warm = from.warm;
     extension.ink = glm::radians(static_cast<double>(from.ink));
     extension.ink_cosine = numbers::cos(glm::radians(static_cast<double>(from.ink_crease_deg)));
-    to.own_light = extension.own_light() || extension.ink > 0.0;  // none of them is shaded in lanes
+    to.own_light = to.own_light || extension.own_light() || extension.ink > 0.0;
     to.extension = static_cast<std::uint32_t>(out_.extensions.size());
     out_.extensions.push_back(extension);
 }

@@ -15,6 +15,7 @@ const std::unordered_map<std::string, PatternKind> kKinds{
     {"average", PatternKind::Average},
     {"facets", PatternKind::Facets},
     {"uv_mapping", PatternKind::Uv},
+    {"user_defined", PatternKind::UserDefined},
     // Other names of the same.
     {"spotted", PatternKind::Bozo},
     {"image_map", PatternKind::Image},

@@ -1,5 +1,6 @@
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/plan/textures/textures.h"
+#include "render/scene/textures/color_functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,10 @@ bool TextureCompiler::opaque(const texture::Pigment& pigment) const
 {
     if (pigment.kind == texture::Pigment::Kind::Solid) return !is_clear(pigment.color);
     if (pigment.kind == texture::Pigment::Kind::Image) return out_.images[out_.patterns[pigment.pattern].data].opaque;
+    if (pigment.kind == texture::Pigment::Kind::Functions) {
+        const texture::ColorFunctions& parts = out_.color_functions[pigment.first];
+        return parts[3] == texture::kNone && parts[4] == texture::kNone;
+    }
     for (std::uint32_t i = pigment.first; i < pigment.first + pigment.count; ++i) {
         const bool opaque = pigment.kind == texture::Pigment::Kind::ColorMap ? !is_clear(out_.colors[i])
                                                                              : opaque_pigments_[out_.children[i]];
@@ -37,6 +42,8 @@ bool TextureCompiler::lets_light_through(const scene::Pigment& pigment)
     if (const auto* color = std::get_if<scene::Color>(&pigment.kind)) return is_clear(*color);
     const scene::PatternedPigment& patterned = *std::get<scene::Shared<scene::PatternedPigment>>(pigment.kind);
     if (const texture::Image* picture = picture_of(patterned)) return !picture->opaque;
+    using Functions = std::shared_ptr<const scene::ColorFunctions>;
+    if (const auto* functions = std::get_if<Functions>(&patterned.pattern.data)) return (*functions)->clear();
     if (const auto* colors = std::get_if<scene::ColorMap>(&patterned.map))
         return std::any_of(colors->begin(), colors->end(), [](const auto& entry) { return is_clear(entry.value); });
     bool clear = false;

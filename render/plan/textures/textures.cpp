@@ -4,6 +4,7 @@
 #include "function/build/link.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/scene/function.h"
+#include "render/scene/textures/color_functions.h"
 #include "render/scene/unsupported_features.h"
 #include "render/texture/noise/noise.h"
 
@@ -210,6 +211,11 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
         out.kind = Kind::Image;
         return add(out);
     }
+    if (const auto* functions = std::get_if<std::shared_ptr<const scene::ColorFunctions>>(&description.pattern.data)) {
+        out.kind = Kind::Functions;
+        out.first = color_functions(**functions);
+        return add(out);
+    }
     const auto* colors = std::get_if<scene::ColorMap>(&description.map);
     const auto* pigments = std::get_if<scene::PigmentMap>(&description.map);
     const MapRange map = map_of(&description, by, [&] {
@@ -233,6 +239,15 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
         if (kind == texture::PatternKind::Uv) out.kind = Kind::Uv;
     }
     return add(out);
+}
+
+std::uint32_t TextureCompiler::color_functions(const scene::ColorFunctions& description)
+{
+    texture::ColorFunctions out;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = description.parts[i] ? function(description.parts[i]) : texture::kNone;
+    out_.color_functions.push_back(out);
+    return count_of(out_.color_functions.size() - 1);
 }
 
 std::uint32_t TextureCompiler::color_map(const scene::ColorMap& description)

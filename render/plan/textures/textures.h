@@ -70,6 +70,7 @@ private:
     /// A texture of the set, whole in it, at another place.
     std::uint32_t again(std::uint32_t known, const scene::Texture& description, const csg::Transform& by);
     std::uint32_t pattern_again(std::uint32_t known, const scene::Pattern& description, const csg::Transform& by);
+    std::uint32_t color_functions(const scene::ColorFunctions& description);
     std::uint32_t pigment_map(const scene::PatternedPigment& description, const csg::Transform* by);
     void extend(const scene::Finish& from, texture::Finish& to);
     std::uint32_t finish(const scene::Shared<scene::Finish>& description);

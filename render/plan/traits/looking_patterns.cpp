@@ -78,7 +78,7 @@ LookedAt TextureInputs::of_pattern(std::uint32_t index) const
 {
     if (index == texture::kNone) return {};
     const Pattern& pattern = set_.patterns[index];
-    if (pattern.kind == PatternKind::Function) return any_;
+    if (pattern.kind == PatternKind::Function || pattern.kind == PatternKind::UserDefined) return any_;
     if (pattern.kind == PatternKind::PigmentPattern) return pigments_[pattern.pigment];
     const bool looks = looks_at_normal(pattern);
     return {pattern.kind == PatternKind::Uv, looks, looks};

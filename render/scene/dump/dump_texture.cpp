@@ -1,5 +1,6 @@
 #include "render/scene/description.h"
 #include "render/scene/base/dump_writer.h"
+#include "render/scene/textures/color_functions.h"
 #include "render/scene/textures/image_map.h"
 
 #include <fmt/format.h>
@@ -123,6 +124,8 @@ void dump(DumpWriter& out, const Finish& f)
     if (f.cool_warm) out.value("whittle_cool", f.cool), out.value("whittle_warm", f.warm);
     if (f.ink > 0) out.line("whittle_ink", text(f.ink) + ", " + text(f.ink_crease_deg));
     out.flag("conserve_energy", f.conserve_energy);
+    if (f.fresnel != 0) out.line("fresnel", text(f.fresnel));
+    out.flag("use_alpha", f.use_alpha);
     out.line("irid", text(f.irid) + " thickness " + text(f.irid_thickness) + " turbulence " + text(f.irid_turbulence));
     if (f.legacy_ior >= 0) out.line("ior", text(f.legacy_ior));
     if (f.legacy_caustics >= 0) out.line("caustics", text(f.legacy_caustics));

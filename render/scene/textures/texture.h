@@ -43,6 +43,7 @@ struct MappingWarp {
 /// One step of a pattern's coordinate change.
 using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
 
+struct ColorFunctions;
 struct DensityFile;
 struct ImageMap;
 struct Media;
@@ -50,9 +51,10 @@ struct Object;
 struct Subsurface;
 struct Pigment;
 
-/// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object.
+/// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object;
+/// user_defined.
 using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>,
-                                 std::shared_ptr<const Object>>;
+                                 std::shared_ptr<const Object>, std::shared_ptr<const ColorFunctions>>;
 
 /// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
 /// Parameters have fixed meanings per pattern, see docs/patterns.md.
@@ -88,8 +90,9 @@ using ColorMap = std::vector<MapEntry<Color>>;
 using PigmentMap = std::vector<MapEntry<PigmentPtr>>;
 
 struct PatternedPigment {
-    Pattern pattern;                         ///< name "average" and "uv_mapping" included
-    std::variant<ColorMap, PigmentMap> map;  ///< defaults filled in, never empty but for image_map
+    Pattern pattern;  ///< name "average" and "uv_mapping" included
+    std::variant<ColorMap, PigmentMap>
+        map;  ///< defaults filled in, empty where the pattern has colours itself: image_map, user_defined
 };
 
 struct Pigment {
@@ -135,6 +138,8 @@ struct Finish {
     bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
     Reflection reflection;
     bool conserve_energy = false;
+    float fresnel = 0;       ///< share of Fresnel's law in its own light and highlights, 0 to 1 (spec 7b, 1)
+    bool use_alpha = false;  ///< opacity dims highlights and mirroring too
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;
     float polished = 0;      ///< reflectance head-on of Shirley's polished surface; 0: none
     bool cool_warm = false;  ///< Gooch: tones instead of light and shadow

@@ -50,6 +50,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
 {
     switch (pattern.kind) {
     case PatternKind::Average:
+    case PatternKind::UserDefined:
     case PatternKind::Uv:
     case PatternKind::Facets: return 0.0;  // not functions of a point: whoever holds the map handles them
 #define PATTERN(keyword, enumerator, value)                                                                            \

@@ -168,14 +168,19 @@ void grey_values(const TextureSet& set, const Pattern& pattern, const Points& p,
 }
 
 /// A user function, in whole lanes.
-void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out)
+void plain_values(const TextureSet& set, std::uint32_t index, const Points& p, Values& out)
 {
-    const function::Function& function = *set.functions[pattern.function];
+    const function::Function& function = *set.functions[index];
     static_assert(kMostPoints % function::kLanes == 0);
     constexpr std::size_t kWhole = function::kLanes - 1;
     const double* const at[] = {p.x.data(), p.y.data(), p.z.data()};
     double* const values = out.data();
     function::evaluate_lanes(function, at, (p.size() + kWhole) & ~kWhole, FunctionHost(set), 1, &values);
+}
+
+void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out)
+{
+    plain_values(set, pattern.function, p, out);
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = wrapped_value(out[i]);
 }
 
@@ -354,6 +359,21 @@ void average_colors(const TextureSet& set, const Pigment& pigment, const Points&
     for (std::size_t k = 0; k < p.size(); ++k) out.set(k, divided(sums[k], weights));
 }
 
+/// Components by functions; none is 0.
+void function_colors(const TextureSet& set, const ColorFunctions& functions, const Points& p, ColorPoints& out)
+{
+    std::array<float, kMostPoints>* const parts[] = {&out.red, &out.green, &out.blue, &out.filter, &out.transmit};
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        if (functions[i] == kNone) {
+            parts[i]->fill(0.0f);
+            continue;
+        }
+        Values values;
+        plain_values(set, functions[i], p, values);
+        for (std::size_t k = 0; k < p.size(); ++k) (*parts[i])[k] = static_cast<float>(values[k]);
+    }
+}
+
 }  // namespace
 
 void pattern_values(const TextureSet& set, const Pattern& pattern, const Points& p, const Around& around, Values& out)
@@ -378,6 +398,8 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     q.take(p);
     warp_points(set, pattern, q, color_map ? live_components(pattern) : kAllLive);
     if (pigment.kind == Pigment::Kind::Average) return average_colors(set, pigment, q, around, out);
+    if (pigment.kind == Pigment::Kind::Functions)
+        return function_colors(set, set.color_functions[pigment.first], q, out);
     if (pigment.kind == Pigment::Kind::Image) return images_shown(set.images[pattern.data], q, out);
     Values values;
     raw_values(set, pattern, q, around, color_map ? raw_flat_ends(set, pigment, pattern) : FlatEnds{}, values);
