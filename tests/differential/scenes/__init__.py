@@ -4,7 +4,8 @@ import struct
 import picture_files
 import png
 from rng import Rng
-from scenes import cameras, coats, commas, copies, csg, finishes, functions, groups, halves, hollow, language, language38, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
+from scenes import cameras, coats, commas, copies, csg, finishes, functions, groups, halves, hollow, language, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
+from scenes.newer import language38
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
            "language": language, "versions": versions, "solids": solids, "media": media, "photons": photons, "places": places,
