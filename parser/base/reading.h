@@ -30,8 +30,8 @@ struct Options {
     bool restrict_read = false;  ///< files are read only where may_read() of parser/stream/files/file_policy.h says
     std::map<std::string, double> declared_numbers;  ///< Declare=name=value
     std::map<std::string, std::string> declared_strings;
-    int version = 370;           ///< before any #version
-    bool version_given = false;  ///< by an option: gamma and the like follow it (spec 1, 15.1)
+    int version = 370;                    ///< before any #version
+    bool version_given = false;           ///< by an option: gamma and the like follow it (spec 1, 15.1)
     std::optional<scene::PovRay> povray;  ///< --povray; unset: as the scene's #version says
     int image_width = 320, image_height = 240;
     double clock = 0.0;

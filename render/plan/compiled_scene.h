@@ -26,11 +26,13 @@ namespace plan {
 
 /// How samples are added where the picture is not smooth (spec 2, 8).
 struct Antialiasing {
-    int method = 0;          ///< 0 off, 1 or 2
-    double threshold = 0.3;  ///< [0, 1]
-    int depth = 3;           ///< [1, 9]
-    double jitter = 1.0;     ///< [0, 1]; 0 is off
-    double gamma = 2.5;      ///< Antialias_Gamma
+    int method = 0;           ///< 0 off, 1, 2 or 3
+    double threshold = 0.3;   ///< [0, 1]
+    int depth = 3;            ///< [1, 9]
+    double jitter = 1.0;      ///< [0, 1]; 0 is off
+    double gamma = 2.5;       ///< Antialias_Gamma
+    double confidence = 0.9;  ///< [0, 1): of method 3, that a pixel's error is within the threshold
+    std::uint32_t seed = 0;   ///< of method 3: Stochastic_Seed
 };
 
 /// What the command line says about the picture.

@@ -98,7 +98,7 @@ struct Description {
     /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
     /// else 362 (spec 1, 15.1).
     int effective_version = 362;
-    PovRay povray = PovRay::V37;  ///< V38: the main scene's #version is 3.71 or more, or --povray=3.8
+    PovRay povray = PovRay::V37;      ///< V38: the main scene's #version is 3.71 or more, or --povray=3.8
     double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
     ObjectList objects;                        ///< in order; lights among them

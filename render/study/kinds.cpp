@@ -17,6 +17,7 @@ struct Kind {
 constexpr Kind kKinds[] = {{"antialiasing", 6, 0},
                            {"antialiasing, method 1", 0, 0},
                            {"antialiasing, method 2", 1, 0},
+                           {"antialiasing, method 3", 1, 3},
                            {"samples", 2, 0},
                            {"samples where needed", 3, 0},
                            {"samples in a time", 4, 0},

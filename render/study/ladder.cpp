@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace study {
 namespace {
@@ -32,6 +33,21 @@ void add_antialiasing(Settings& out)
                      },
                      {fmt::format("+A{:g}", threshold), fmt::format("+AM{}", method), fmt::format("+R{}", depth)}});
             }
+}
+
+/// POV-Ray 3.8's, which stops by confidence: its threshold is an error, its depth a power of 4.
+void add_oversampling(Settings& out)
+{
+    for (const auto& [threshold, depth] : {std::pair(0.3, 3), std::pair(0.1, 3), std::pair(0.1, 4), std::pair(0.05, 4),
+                                           std::pair(0.03, 4), std::pair(0.03, 5), std::pair(0.01, 5)})
+        out.push_back({"antialiasing, method 3",
+                       fmt::format("+A{:g} +AM3 +R{}", threshold, depth),
+                       [threshold = threshold, depth = depth](Trial& t) {
+                           t.options.antialiasing.method = 3;
+                           t.options.antialiasing.threshold = threshold;
+                           t.options.antialiasing.depth = depth;
+                       },
+                       {fmt::format("+A{:g}", threshold), "+AM3", fmt::format("+R{}", depth), "+AC0.9"}});
 }
 
 void add_samples(Settings& out)
@@ -262,6 +278,7 @@ Settings ladder(const scene::Description& scene, const plan::CompiledScene& comp
 {
     Settings out;
     add_antialiasing(out);
+    add_oversampling(out);
     add_samples(out);
     add_times(out);
     add_lamps(out, compiled.lights);

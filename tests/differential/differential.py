@@ -37,7 +37,7 @@ def compare_one(options, folder, kind, seed):
         state, detail = noisy.verdict(options, folder, name)
         return kind, seed, state, detail
     ours = programs.render(options.whittle, folder, name, (80, 60), "whittle")
-    theirs = programs.render(options.povray, folder, name, (80, 60), "povray")
+    theirs = programs.render(options.povray38 if kind in scenes.NEWER else options.povray, folder, name, (80, 60), "povray")
     state, detail = programs.verdict(ours, theirs)
     if state == "agree" and not options.keep:
         for left in folder.glob(f"{name}.*"):
@@ -71,16 +71,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--whittle", default=str(ROOT / "build/release/whittle"), help="may carry options, as in \"whittle --isa=v3\"")
     parser.add_argument("--povray", default="povray")
+    parser.add_argument("--povray38", help="command of POV-Ray 3.8, which the classes for it are compared with")
     commands = parser.add_subparsers(dest="command", required=True)
     each = commands.add_parser("run")
-    each.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES, *scenes.NOISY])
+    each.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES, *scenes.NEWER, *scenes.NOISY])
     each.add_argument("--seeds", default="0-24")
     each.add_argument("--folder", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "differential")
     each.add_argument("--jobs", type=int, default=8 * (os.cpu_count() or 1))  # POV-Ray's start is half a second of waiting
     each.add_argument("--share", type=float, default=0.995)
     each.add_argument("--keep", action="store_true", help="keep the files of all scenes")
     shown = commands.add_parser("print")
-    shown.add_argument("kind", choices=[*scenes.CLASSES, *scenes.NOISY])
+    shown.add_argument("kind", choices=[*scenes.CLASSES, *scenes.NEWER, *scenes.NOISY])
     shown.add_argument("seed", type=int)
     shorter = commands.add_parser("reduce")
     shorter.add_argument("scene", type=pathlib.Path)
@@ -90,6 +91,8 @@ def main():
     again = commands.add_parser("check")
     again.add_argument("classes", nargs="*", choices=[[], *scenes.CLASSES])
     options = parser.parse_args()
+    if options.command == "run" and any(kind in scenes.NEWER for kind in options.classes) and not options.povray38:
+        sys.exit("this class needs --povray38")
     if options.command == "run":
         return run(options)
     if options.command == "print":

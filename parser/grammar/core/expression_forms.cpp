@@ -134,7 +134,7 @@ Production value()
     using array = seq<token<Kind::Array>, opt<token<Kind::Mixed>>, pegtl::star<size>, opt<token<Kind::Optional>>,
                       opt<open_brace, list<the<value>, comma>, close_brace>>;
     using key = pegtl::sor<seq<token<Kind::Period>, an_identifier>,
-                           seq<token<Kind::LeftSquare>, text_operand, token<Kind::RightSquare>>>;
+                           seq<token<Kind::LeftSquare>, a_string, token<Kind::RightSquare>>>;
     using dictionary = seq<token<Kind::Dictionary>,
                            opt<open_brace, opt<list<seq<key, token<Kind::Colon>, the<value>>, comma>>, close_brace>>;
     using spline = seq<token<Kind::Spline>, the<spline_block>>;
@@ -161,7 +161,7 @@ Production directive()
 {
     using some = seq<opt<token<Kind::Optional>>, opt<name>>;
     using tuple = seq<open, list<some, comma>, close, token<Kind::Equal>, open, list<the<value>, comma>, close>;
-    using unpacked = seq<open_brace, list<some, comma>, close_brace, token<Kind::Equal>, the<value>>;
+    using unpacked = seq<open_brace, list<opt<an_identifier>, comma>, close_brace, token<Kind::Equal>, the<value>>;
     using one =
         seq<opt<token<Kind::Deprecated>, opt<token<Kind::Once>>, opt<a_text>>, name, token<Kind::Equal>, the<value>>;
     using declares = seq<one_of<Kind::Declare, Kind::Local>, pegtl::sor<one, tuple, unpacked>, end>;

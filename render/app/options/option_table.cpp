@@ -83,15 +83,27 @@ void set_return(Settings& s, const Value& v)
 void set_dither_method(Settings& s, const Value& v)
 {
     using image::Dither;
-    constexpr std::pair<std::string_view, Dither> kMethods[] = {
-        {"B2", Dither::Ordered2}, {"B3", Dither::Ordered3}, {"B4", Dither::Ordered4},
-        {"D1", Dither::Carry},    {"D2", Dither::Spread},   {"FS", Dither::FloydSteinberg}};
+    constexpr std::pair<std::string_view, Dither> kMethods[] = {{"AT", Dither::Atkinson},
+                                                                {"B2", Dither::Ordered2},
+                                                                {"B3", Dither::Ordered3},
+                                                                {"B4", Dither::Ordered4},
+                                                                {"BK", Dither::Burkes},
+                                                                {"BN", Dither::BlueNoise},
+                                                                {"BNX", Dither::BlueNoiseExchanged},
+                                                                {"D1", Dither::Carry},
+                                                                {"D2", Dither::Spread},
+                                                                {"FS", Dither::FloydSteinberg},
+                                                                {"JN", Dither::JarvisJudiceNinke},
+                                                                {"S2", Dither::SierraTwoRows},
+                                                                {"S3", Dither::SierraThreeRows},
+                                                                {"ST", Dither::Stucki}};
     for (const auto& [name, method] : kMethods) {
         if (!same_text(v.text, name)) continue;
         s.dither_method = method;
         return;
     }
-    throw OptionError("Dither_Method wants B2, B3, B4, D1, D2 or FS, found '" + v.text + "'");
+    throw OptionError("Dither_Method wants AT, B2, B3, B4, BK, BN, BNX, D1, D2, FS, JN, S2, S3 or ST, found '" +
+                      v.text + "'");
 }
 
 void set_size(int& target, int value, const char* what)
@@ -146,21 +158,26 @@ void include_ini(Settings& s, const Value& v)
     if (!read_ini_file(s, v.text)) throw OptionError("no INI file is called '" + v.text + "'");
 }
 
-/// Every keyword of POV-Ray 3.7 (spec 1, 18; docs/povray/data/01-options.csv), in alphabetical order.
+/// Every keyword of POV-Ray 3.7 and 3.8 (spec 1, 18; docs/povray/data/01-options.csv), in alphabetical order.
 constexpr Option kOptions[] = {
     {"All_Console", "text of every stream on the console; overrides the single switches", kFlag, State::Acts,
      set<&Settings::all_console>},
     {"All_File", "keep all text in this file, in the folder of the picture", kText, State::Acts,
      set<&Settings::all_file>},
     {"Antialias", "more samples where the picture is not smooth", kFlag, State::Acts, set<&Settings::antialias>},
-    {"Antialias_Depth", "depth of antialiasing, 1 to 9: rows of samples in a pixel, or levels of halving", kInteger,
-     State::Acts, set_within<&Settings::antialias_depth, 1, 9>},
+    {"Antialias_Confidence", "of method 3: how sure a pixel's error is to be within the threshold, 0 to 1", kNumber,
+     State::Acts, set_within<&Settings::antialias_confidence, 0, 1>},
+    {"Antialias_Depth",
+     "depth of antialiasing, 1 to 9: rows of samples in a pixel, levels of halving, or of method 3 a power of 4 "
+     "samples",
+     kInteger, State::Acts, set_within<&Settings::antialias_depth, 1, 9>},
     {"Antialias_Gamma", "gamma in which antialiasing compares colours", kNumber, State::Acts,
      set<&Settings::antialias_gamma>},
     {"Antialias_Threshold", "difference of neighbours from which more samples are taken, 0 to 1", kNumber, State::Acts,
      set_within<&Settings::antialias_threshold, 0, 1>},
     {"Append_File", "text files are appended to", kFlag, State::Acts, set<&Settings::append_file>},
-    {"Bits_Per_Color", "bits a channel of the picture, 5 to 16", kInteger, State::Acts, set<&Settings::bits_per_color>},
+    {"Bits_Per_Color", "bits a channel of the picture, 1 to 16 (of scenes before 3.8 from 5 on)", kInteger, State::Acts,
+     set<&Settings::bits_per_color>},
     {"Bits_Per_Colour", "the same", kInteger, State::Acts, set<&Settings::bits_per_color>},
     {"Bounding", "bounding; always on", kFlag, State::Settled, nullptr},
     {"Bounding_Method", "kind of bounding hierarchy", kInteger, State::Settled, nullptr},
@@ -178,6 +195,7 @@ constexpr Option kOptions[] = {
     {"Compression", "quality of JPEG, 2 to 100", kInteger, State::Acts, set_within<&Settings::compression, 0, 100>},
     {"Continue_Trace", "go on with a picture that was interrupted; leave one that is there", kFlag, State::Acts,
      set<&Settings::continue_trace>},
+    {"Create_Continue_Trace_Log", "keep what +C goes on from while a picture is made", kFlag, State::Settled, nullptr},
     {"Create_Histogram", "of earlier versions", kText, State::Obsolete, nullptr},
     {"Create_Ini", "write the options in force as an INI file", kText, State::Acts, set<&Settings::create_ini>},
     {"Cyclic_Animation", "the frame behind the last is the first again", kFlag, State::Acts, set<&Settings::cyclic>},
@@ -187,7 +205,7 @@ constexpr Option kOptions[] = {
     {"Display", "a window with the picture; there is none here", kFlag, State::Settled, nullptr},
     {"Display_Gamma", "gamma of the display: sRGB or a number", kGamma, State::Acts, set<&Settings::display_gamma>},
     {"Dither", "dither what is lost by rounding", kFlag, State::Acts, set<&Settings::dither>},
-    {"Dither_Method", "how: B2 B3 B4 D1 D2 FS", kText, State::Acts, set_dither_method},
+    {"Dither_Method", "how: AT B2 B3 B4 BK BN BNX D1 D2 FS JN S2 S3 ST", kText, State::Acts, set_dither_method},
     {"Draw_Vistas", "draw vista rectangles", kFlag, State::Settled, nullptr},
     {"End_Column", "last column to render, counted from 1, or a share of the width", kNumber, State::Acts,
      set<&Settings::end_column>},
@@ -200,11 +218,13 @@ constexpr Option kOptions[] = {
      State::Acts, set_return<Hook::FatalError>},
     {"Fatal_File", "keep errors in this file", kText, State::Acts, set<&Settings::fatal_file>},
     {"Field_Render", "alternate frames have alternate rows", kFlag, State::Settled, nullptr},
-    {"File_Gamma", "gamma of the picture file: sRGB or a number", kGamma, State::Acts, set<&Settings::file_gamma>},
+    {"File_Gamma", "gamma of the picture file: sRGB, BT709, BT2020 or a number", kGamma, State::Acts,
+     set<&Settings::file_gamma>},
     {"Final_Clock", "clock of the last frame", kNumber, State::Acts, set<&Settings::final_clock>},
     {"Final_Frame", "number of the last frame", kInteger, State::Acts, set<&Settings::final_frame>},
     {"Frame_Step", "render every so many frames", kInteger, State::Acts, set<&Settings::frame_step>},
     {"Grayscale_Output", "a picture in shades of grey, PNG or PPM", kFlag, State::Acts, set<&Settings::greyscale>},
+    {"Greyscale_Output", "the same", kFlag, State::Acts, set<&Settings::greyscale>},
     {"Height", "rows of the picture", kInteger, State::Acts,
      [](Settings& s, const Value& v) { set_size(s.height, v.integer, "the height"); }},
     {"High_Reproducibility", "the same picture each time; always so", kFlag, State::Settled, nullptr},
@@ -262,8 +282,8 @@ constexpr Option kOptions[] = {
     {"Render_Console", "what will be done, on the console", kFlag, State::Acts, set<&Settings::render_console>},
     {"Render_File", "keep what will be done in this file", kText, State::Acts, set<&Settings::render_file>},
     {"Render_Pattern", "order of the blocks", kInteger, State::Settled, nullptr},
-    {"Sampling_Method", "kind of antialiasing, 1 or 2", kInteger, State::Acts,
-     set_within<&Settings::sampling_method, 0, 2>},
+    {"Sampling_Method", "kind of antialiasing, 1 to 3", kInteger, State::Acts,
+     set_within<&Settings::sampling_method, 0, 3>},
     {"Shutter",
      "motion blur: share of the time to the next frame, or of a clock of 1, that a picture is exposed for; Whittle's "
      "own",
@@ -275,6 +295,8 @@ constexpr Option kOptions[] = {
      set<&Settings::start_row>},
     {"Statistic_Console", "counts and times on the console", kFlag, State::Acts, set<&Settings::statistic_console>},
     {"Statistic_File", "keep counts and times in this file", kText, State::Acts, set<&Settings::statistic_file>},
+    {"Stochastic_Seed", "other random places of the samples of antialiasing by method 3", kInteger, State::Acts,
+     set<&Settings::stochastic_seed>},
     {"Subset_End_Frame", "last frame to render of the animation, or a share", kNumber, State::Acts,
      set<&Settings::subset_end_frame>},
     {"Subset_Start_Frame", "first frame to render of the animation, or a share", kNumber, State::Acts,

@@ -11,6 +11,14 @@ namespace app {
 
 namespace {
 
+std::optional<image::TransferCurve> curve_called(std::string_view name)
+{
+    if (same_text(name, "srgb")) return image::TransferCurve::srgb();
+    if (same_text(name, "bt709")) return image::TransferCurve::bt709();
+    if (same_text(name, "bt2020")) return image::TransferCurve::bt2020();
+    return std::nullopt;
+}
+
 /// Agrees with one of the words up to the end of the shorter one.
 bool begins_as(std::string_view text, std::initializer_list<std::string_view> words)
 {
@@ -36,16 +44,14 @@ Value value_of(const Option& option, const std::string& text)
     case ValueKind::Text: return value;
     case ValueKind::Integer: value.integer = static_cast<int>(std::strtol(text.c_str(), &end, 10)); break;
     case ValueKind::Gamma:
-        if (same_text(text, "srgb")) {
-            value.curve = image::TransferCurve::srgb();
-            return value;
-        }
+        if (const auto curve = curve_called(text)) return value.curve = *curve, value;
         [[fallthrough]];
     case ValueKind::Number: value.number = std::strtod(text.c_str(), &end); break;
     }
     if (end == text.c_str()) throw OptionError(keyword + " wants a number, found '" + text + "'");
     if (option.kind != ValueKind::Gamma) return value;
-    if (!(value.number > 0.0)) throw OptionError(keyword + " wants a number above 0 or sRGB, found '" + text + "'");
+    if (!(value.number > 0.0))
+        throw OptionError(keyword + " wants a number above 0 or sRGB, BT709 or BT2020, found '" + text + "'");
     value.curve = image::TransferCurve::power(static_cast<float>(value.number));
     return value;
 }
@@ -54,6 +60,7 @@ Value value_of(const Option& option, const std::string& text)
 void record(Settings& settings, std::string_view keyword, const std::string& text)
 {
     if (keyword == "Bits_Per_Colour") keyword = "Bits_Per_Color";
+    if (keyword == "Greyscale_Output") keyword = "Grayscale_Output";
     std::vector<std::string>& values = settings.given[std::string(keyword)];
     if (keyword != "Library_Path" && keyword != "Declare") values.clear();
     values.push_back(text);
@@ -91,12 +98,13 @@ void set_file_type_switch(Settings& settings, const std::string& text)
 {
     settings.file_type = file_type_of(text[0]);
     record(settings, "Output_File_Type", text.substr(0, 1));
-    const std::string_view rest = std::string_view(text).substr(1);
-    if (rest.empty()) return;
-    if (same_text(rest, "g")) {
+    std::string_view rest = std::string_view(text).substr(1);
+    if (!rest.empty() && same_text(rest.substr(0, 1), "g")) {
         settings.greyscale = true;
-        return record(settings, "Grayscale_Output", "on");
+        record(settings, "Grayscale_Output", "on");
+        rest.remove_prefix(1);
     }
+    if (rest.empty()) return;
     int bits = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), bits);
     if (error != std::errc() || end != rest.data() + rest.size())

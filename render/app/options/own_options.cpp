@@ -209,7 +209,8 @@ constexpr OwnOption kOwnOptions[] = {
      "the constant Whittle is not defined, so that scenes skip the words that POV-Ray lacks (docs/extensions.md)",
      [](Settings& s, const std::string&) { s.extensions = false; }},
     {"povray", "3.7|3.8",
-     "the POV-Ray whose language and pictures are meant; usual is 3.8 for scenes that begin with #version 3.71 or more, "
+     "the POV-Ray whose language and pictures are meant; usual is 3.8 for scenes that begin with #version 3.71 or "
+     "more, "
      "else 3.7",
      [](Settings& s, const std::string& v) { s.povray = v == "3.8" ? scene::PovRay::V38 : scene::PovRay::V37; }},
     {"faithful", "",

@@ -54,6 +54,8 @@ struct Settings {
     bool antialias = false, jitter = true;
     float antialias_threshold = 0.3f, antialias_gamma = 2.5f, jitter_amount = 1.0f;
     int sampling_method = 1, antialias_depth = 3;
+    float antialias_confidence = 0.9f;  ///< of method 3
+    int stochastic_seed = 0;            ///< of method 3
     std::optional<bool> split_unions;
     int threads = 0;  ///< 0: one per core
     int block_size = 32;
@@ -85,8 +87,8 @@ struct Settings {
     bool prepare = false;       ///< only what the parts need of the whole
     double state_after = 2.0;   ///< seconds of rendering before finished blocks are kept for +C
     bool dither = false;
-    image::Dither dither_method = image::Dither::FloydSteinberg;
-    int compression = 0;  ///< JPEG quality; 0 and 1 mean 85
+    std::optional<image::Dither> dither_method;  ///< unset: as the POV-Ray that is drawn has it
+    int compression = 0;                         ///< JPEG quality; 0 and 1 mean 85
     image::TransferCurve file_gamma = image::TransferCurve::srgb(), display_gamma = image::TransferCurve::srgb();
 
     // Commands, by Hook, and what their exit status does.

@@ -12,6 +12,7 @@ namespace {
 /// Tried in this order: the first whose letters begin the word and that has text behind them exactly if it wants some
 /// (spec 1, 18.3). "A" with any number is ours: POV-Ray knows only numbers that begin with 0.
 constexpr Switch kSwitches[] = {
+    {"AC", true, nullptr, "Antialias_Confidence"},
     {"AG", true, nullptr, "Antialias_Gamma"},
     {"AM", true, nullptr, "Sampling_Method"},
     {"A0", true, "Antialias", "Antialias_Threshold", "0"},
@@ -20,6 +21,7 @@ constexpr Switch kSwitches[] = {
     {"BM", true, nullptr, "Bounding_Method"},
     {"BS", true, nullptr, "Render_Block_Size"},
     {"B", false, "Bounding", nullptr},
+    {"CC", false, "Create_Continue_Trace_Log", nullptr},
     {"C", false, "Continue_Trace", nullptr},
     {"D", true, "Display", "Video_Mode"},
     {"D", false, "Display", nullptr},
@@ -79,6 +81,7 @@ constexpr Switch kSwitches[] = {
     {"SM", true, nullptr, "+SM"},  // not POV-Ray's: LeoCAD's
     {"SP", true, nullptr, "Preview_Start_Size"},
     {"SR", true, nullptr, "Start_Row"},
+    {"SS", true, nullptr, "Stochastic_Seed"},
     {"STP", true, nullptr, "Frame_Step"},
     {"SU", false, "Split_Unions", nullptr},
     {"TH", true, "Dither", "Dither_Method"},

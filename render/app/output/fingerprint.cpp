@@ -52,6 +52,8 @@ std::string options_text(const PictureSource& source)
     if (aa.method != 0)  // which looks no farther than its block
         text +=
             fmt::format("{} {} {} {} {} {}\n", aa.method, aa.depth, aa.threshold, aa.jitter, aa.gamma, p.block_size);
+    if (aa.method == 3) text += fmt::format("{} {}\n", aa.confidence, aa.seed);
+    if (o.povray) text += fmt::format("povray {}\n", static_cast<int>(*o.povray));
     if (s.sampled())
         text += fmt::format("{} {} {} {} {} {} {} {} {} {}\n", s.samples, s.samples_error, s.error, s.time, s.seed,
                             s.paths, s.denoise, s.shutter, s.motion_samples, p.block_size);

@@ -71,8 +71,8 @@ bool known(const Heading& h)
            within(0, w[0], h.width) && within(0, w[1], h.height) && within(1, w[2], h.width - w[0]) &&
            within(1, w[3], h.height - w[1]) && within(1, h.parts, kMostParts) && within(1, h.part, h.parts) &&
            within(0, h.type, 127) && kTypes.find(static_cast<char>(h.type)) != std::string_view::npos &&
-           within(5, h.bits, 16) && within(0, h.dither, static_cast<int>(image::Dither::FloydSteinberg)) &&
-           within(0, h.working_kind, 2) && within(0, h.file_kind, 2) && h.layers <= (1u << 16);
+           within(1, h.bits, 16) && within(0, h.dither, static_cast<int>(image::Dither::kLast)) &&
+           within(0, h.working_kind, 4) && within(0, h.file_kind, 4) && h.layers <= (1u << 16);
 }
 
 /// Texts one after the other, each ended by a zero.

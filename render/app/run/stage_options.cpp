@@ -54,6 +54,8 @@ plan::Options plan_options(const Settings& settings)
     aa.depth = settings.antialias_depth;
     aa.jitter = settings.jitter ? static_cast<double>(settings.jitter_amount) : 0.0;
     aa.gamma = static_cast<double>(settings.antialias_gamma);
+    aa.confidence = static_cast<double>(settings.antialias_confidence);
+    aa.seed = static_cast<std::uint32_t>(settings.stochastic_seed);
     const Window window = window_of(settings);
     options.start_row = window.first_row;
     options.end_row = window.last_row;
@@ -69,6 +71,22 @@ plan::Options plan_options(const Settings& settings)
     return options;
 }
 
+/// A method that both versions have is another one in 3.8, and so is the usual one.
+image::Dither dither_of(const Settings& settings, bool newer)
+{
+    using image::Dither;
+    const Dither asked = settings.dither_method.value_or(newer ? Dither::BlueNoise : Dither::FloydSteinberg);
+    if (!newer) return asked;
+    switch (asked) {
+    case Dither::Ordered2: return Dither::Bayer2;
+    case Dither::Ordered3: return Dither::Bayer3;
+    case Dither::Ordered4: return Dither::Bayer4;
+    case Dither::Spread: return Dither::SierraLite;
+    case Dither::FloydSteinberg: return Dither::FloydSteinbergLight;
+    default: return asked;
+    }
+}
+
 image::FileSettings file_settings(const Settings& settings, const scene::Description& description)
 {
     std::optional<image::TransferCurve> assumed;
@@ -81,10 +99,15 @@ image::FileSettings file_settings(const Settings& settings, const scene::Descrip
     image::FileSettings file;
     file.type = settings.file_type;
     file.encoding.curves = image::output_curves(assumed, version, settings.file_gamma, settings.display_gamma);
-    file.encoding.bits = settings.greyscale ? 16 : settings.bits_per_color;
+    const bool newer = description.povray == scene::PovRay::V38;
+    constexpr int kLeastOf37 = 5;
+    file.encoding.bits = newer ? settings.bits_per_color : std::max(settings.bits_per_color, kLeastOf37);
+    if (settings.greyscale && !newer) file.encoding.bits = 16;
+    if (newer && file.type == image::FileType::Ppm && !settings.given.contains("File_Gamma"))
+        file.encoding.curves.file = image::TransferCurve::bt709();
     if (settings.greyscale && file.type == image::FileType::Ppm)
         file.encoding.curves.file = file.encoding.curves.working;  // PGM is linear (spec 2, 12.3)
-    if (settings.dither) file.encoding.dither = settings.dither_method;
+    if (settings.dither) file.encoding.dither = dither_of(settings, newer);
     file.encoding.alpha = settings.alpha;
     file.encoding.greyscale = settings.greyscale;
     if (settings.compression > 1) file.jpeg_quality = settings.compression;

@@ -30,6 +30,7 @@ Ditherer::Ditherer(Dither kind, int width, int channels, int bits)
     this_row_.resize(row);
     next_row_.resize(row);
     next_pixel_.resize(static_cast<std::size_t>(channels));
+    if (kind >= Dither::Bayer2) third_row_.resize(row);
 }
 
 std::uint16_t Ditherer::with_pattern(int x, int y, float level, const Transcoder& curve) const
@@ -70,6 +71,7 @@ void Ditherer::round(int x, int y, const float* levels, const Transcoder* const*
         for (std::size_t c = 0; c < count; ++c) out[c] = quantised(curves[c]->to_file(levels[c]), bits_);
         return;
     }
+    if (kind_ >= Dither::Bayer2) return round_by_light(x, y, levels, curves, out);
     if (kind_ == Dither::Ordered2 || kind_ == Dither::Ordered3 || kind_ == Dither::Ordered4) {
         for (std::size_t c = 0; c < count; ++c) out[c] = with_pattern(x, y, levels[c], *curves[c]);
         return;

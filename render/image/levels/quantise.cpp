@@ -6,7 +6,7 @@ namespace image {
 
 namespace {
 
-constexpr int kLeastBits = 5, kMostBits = 16;  // the range of Bits_Per_Color
+constexpr int kLeastBits = 1, kMostBits = 16;  // the range of Bits_Per_Color in 3.8
 
 /// POV-Ray divides the colour of a wholly clear pixel by this in place of 0.
 constexpr float kClearDivisor = 1e-6f;

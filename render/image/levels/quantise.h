@@ -13,7 +13,7 @@ namespace image {
 /// How float pixels become integers (spec 2, 12).
 struct Encoding {
     OutputCurves curves;
-    int bits = 8;            ///< per channel, clamped to 5..16
+    int bits = 8;            ///< per channel, clamped to 1..16
     bool alpha = false;      ///< straight alpha as the last channel; without it the picture stands before black
     bool greyscale = false;  ///< one channel of luminance
     Dither dither = Dither::None;

@@ -12,7 +12,8 @@ void antialias(const plan::Antialiasing& settings, const scene::AssumedGamma& ga
         return;
     }
     const ColorDistance distance(settings, gamma);
-    (settings.method == 1 ? antialias_1 : antialias_2)(settings, distance, block, tracer, scratch, out);
+    const auto method = settings.method == 1 ? antialias_1 : settings.method == 2 ? antialias_2 : antialias_3;
+    method(settings, distance, block, tracer, scratch, out);
 }
 
 }  // namespace trace

@@ -9,7 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-/// POV-Ray's two ways of adding samples where the picture is not smooth (reference manual 3.2.8.7; spec 2, section 8).
+/// POV-Ray's ways of adding samples where the picture is not smooth (reference manual 3.2.8.7; spec 2, section 8; spec
+/// 7, 3.2).
 namespace trace {
 
 /// A pixel's centre is (column, row); positions grow to the right and downwards.

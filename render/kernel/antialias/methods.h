@@ -2,7 +2,7 @@
 
 #include "render/kernel/antialias/antialias.h"
 
-/// What both methods of antialiasing are made of.
+/// What the methods of antialiasing are made of.
 namespace trace {
 
 inline constexpr std::uint32_t kNoPlace = 0xffffffffu;
@@ -23,10 +23,12 @@ inline scene::Color divided(const scene::Color& sum, double by)
     return {part(sum.red), part(sum.green), part(sum.blue), part(sum.filter), part(sum.transmit)};
 }
 
-/// The two methods for a block; `antialias()` chooses.
+/// The methods for a block; `antialias()` chooses.
 void antialias_1(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
                  const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out);
 void antialias_2(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
+                 const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out);
+void antialias_3(const plan::Antialiasing& settings, const ColorDistance& distance, const Block& block,
                  const SampleTracer& tracer, AntialiasScratch& scratch, scene::Color* out);
 
 }  // namespace trace

@@ -376,3 +376,55 @@ TEST_CASE("colours that are not marked surely do not differ", "[render][antialia
     CHECK(wrongly <
           marked / 2);  // the ranges of components may add up where no pair does; the last of a row count as unsure
 }
+
+TEST_CASE("method 3 asks an even picture once a pixel", "[antialias]")
+{
+    Formula even{[](double, double) { return 0.25f; }, {}};
+    plan::Antialiasing s = settings(3, 4, 1.0);
+    s.threshold = 0.0;
+    CHECK(run(even, s, {0, 0, 16, 16}) == std::vector<float>(256, 0.25f));
+    CHECK(even.asked.size() == 256);
+    for (const auto& [place, times] : even.asked) {
+        CHECK(std::abs(place.first - std::round(place.first)) <= 0.5);
+        CHECK(times == 1);
+    }
+}
+
+TEST_CASE("method 3 goes on where the picture is not even, to its depth", "[antialias]")
+{
+    // Black and white by chance: the samples of POV-Ray 3.8 in 80x60 such pixels, +SS1 (spec 7, 3.2).
+    const auto asked = [](double threshold, double confidence, int depth) {
+        Formula noise{[](double x, double y) {
+                          const double v = std::sin(x * 12989.8 + y * 78233.0) * 43758.5;
+                          return v - std::floor(v) < 0.5 ? 0.0f : 1.0f;
+                      },
+                      {}};
+        plan::Antialiasing s = settings(3, depth, 1.0);
+        s.threshold = threshold;
+        s.confidence = confidence;
+        run(noise, s, {0, 0, 80, 60});
+        return static_cast<double>(noise.asked.size());
+    };
+    CHECK(asked(0.3, 0.9, 3) == Approx(70200).epsilon(0.05));
+    CHECK(asked(0.3, 0.9, 1) == Approx(19195).epsilon(0.01));
+    CHECK(asked(0.3, 0.5, 3) == Approx(14129).epsilon(0.05));
+    CHECK(asked(0.3, 0.99, 3) == Approx(169260).epsilon(0.05));
+    CHECK(asked(0.1, 0.9, 3) == 307200);
+}
+
+TEST_CASE("method 3 finds the share of an edge, and another seed other samples", "[antialias]")
+{
+    plan::Antialiasing s = settings(3, 5, 1.0);
+    s.threshold = 0.02;
+    Formula edge = edge_at(3.2);
+    const std::vector<float> pixels = run(edge, s, {0, 0, 8, 4});
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t column = i % 8;
+        if (column != 3) CHECK(pixels[i] == (column < 3 ? 0.0f : 1.0f));
+        else CHECK(pixels[i] == Approx(0.3f).margin(0.06));
+    }
+    s.seed = 7;
+    Formula again = edge_at(3.2);
+    run(again, s, {0, 0, 8, 4});
+    CHECK(again.asked != edge.asked);
+}

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
 using namespace image;
 
@@ -88,9 +89,10 @@ TEST_CASE("a table of levels rounds as the curves do", "[image][quantise]")
         }
 }
 
-TEST_CASE("the depth is 5 to 16 bits", "[image][quantise]")
+TEST_CASE("the depth is 1 to 16 bits", "[image][quantise]")
 {
-    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 3) == Levels{31, 16, 0});
+    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 3) == Levels{7, 4, 0});
+    CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 0) == Levels{1, 1, 0});
     CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 12) == Levels{4095, 2048, 0});
     CHECK(encoded(one_pixel(1, 0.5f, 0), TransferCurve::linear(), 99) == Levels{65535, 32768, 0});
 }
@@ -120,4 +122,89 @@ TEST_CASE("greyscale is the luminance of the working colour", "[image][quantise]
     CHECK(encoded(one_pixel(1, 0, 0), TransferCurve::linear(), 16, false, true) == Levels{19464});
     CHECK(encoded(one_pixel(0, 1, 0), TransferCurve::linear(), 16, false, true) == Levels{38600});
     CHECK(encoded(one_pixel(0, 0, 1), TransferCurve::linear(), 8, false, true) == Levels{29});
+}
+
+namespace {
+
+/// A ramp from black to white, rounded to four levels.
+std::string rows_of(Dither kind, const TransferCurve& curve, int rows)
+{
+    constexpr int kWidth = 48;
+    Image ramp{kWidth, rows, {}};
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const float v = (static_cast<float>(x) + 0.5f) / kWidth;
+            ramp.samples.insert(ramp.samples.end(), {v, v, v, 0.0f});
+        }
+    Encoding encoding{{TransferCurve::linear(), curve}, 2};
+    encoding.dither = kind;
+    const Raster made = quantise(ramp, encoding);
+    std::string out;
+    for (std::size_t i = 0; i < made.samples.size(); i += 3) {
+        out += static_cast<char>('0' + made.samples[i]);
+        if ((i / 3 + 1) % kWidth == 0) out += ' ';
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("dithering as POV-Ray 3.8 does it", "[image][dither]")
+{
+    // Printed from pictures of that program: 48 levels between black and white, Bits_Per_Color=2, File_Gamma=1.
+    const TransferCurve plain = TransferCurve::linear();
+    CHECK(rows_of(Dither::Atkinson, plain, 3) == "000000101111111111111121222222222222223233333333 "
+                                                 "000000100110111111111121122122222222223223323333 "
+                                                 "000010011011111111112112212222222222322332333333 ");
+    CHECK(rows_of(Dither::Burkes, plain, 3) == "000000101101111111111121221222222222223233233333 "
+                                               "000010010110111111112112122122222222322323323333 "
+                                               "000100101011111111111221212222222222233232333333 ");
+    CHECK(rows_of(Dither::JarvisJudiceNinke, plain, 3) == "000000101111111111111121222222222222223233333333 "
+                                                          "000001001001111111111211211222222222232232233333 "
+                                                          "000010011011011111112112212212222222322332332333 ");
+    CHECK(rows_of(Dither::Stucki, plain, 3) == "000000101111111111111121222222222222223233333333 "
+                                               "000010010010111111112112112122222222322322323333 "
+                                               "000001010111011111111212122212222222232323332333 ");
+    CHECK(rows_of(Dither::SierraThreeRows, plain, 3) == "000000101111111111111121222222222222223233333333 "
+                                                        "000001001001111111111211211222222222232232233333 "
+                                                        "000010101101111111112121221222222222323233233333 ");
+    CHECK(rows_of(Dither::SierraTwoRows, plain, 3) == "000000101101111111111121221222222222223233233333 "
+                                                      "000010010110111111112112122122222222322323323333 "
+                                                      "000010110110111111112121221222222222233232333333 ");
+    CHECK(rows_of(Dither::SierraLite, plain, 3) == "000001010110111111111212122122222222232323323333 "
+                                                   "000100101011111111121121212222222223223232333333 "
+                                                   "000010010101011111111211212122222222232232323333 ");
+    CHECK(rows_of(Dither::FloydSteinbergLight, plain, 3) == "000001010111111111111212122222222222232323333333 "
+                                                            "000100010101011111121112121212222223222323232333 "
+                                                            "000001010110111111111212122122222222232323323333 ");
+    CHECK(rows_of(Dither::Bayer2, plain, 2) == "000000010101011111111112121212222222222323232333 "
+                                               "001010101011111111212121212222222232323232333333 ");
+    CHECK(rows_of(Dither::Bayer3, plain, 3) == "000001001011011111112112112122122222223223233233 "
+                                               "000100101101111111111211212212222222322323323333 "
+                                               "010010110110111111121121221222222222232232332333 ");
+    CHECK(rows_of(Dither::Bayer4, plain, 2) == "000000010101011111111112121212222222222323232333 "
+                                               "001010101011111111212121212222222232323232333333 ");
+}
+
+TEST_CASE("blue noise gives every share of light, whatever the curve", "[image][dither]")
+{
+    for (const TransferCurve& curve : {TransferCurve::linear(), TransferCurve::srgb(), TransferCurve::bt709()})
+        for (const float light : {0.01f, 0.2f, 0.5f, 0.83f}) {
+            Image even{64, 64, {}};
+            for (int i = 0; i < 64 * 64; ++i) even.samples.insert(even.samples.end(), {light, light, light, 0.0f});
+            Encoding encoding{{TransferCurve::linear(), curve}, 1};
+            encoding.dither = Dither::BlueNoise;
+            double sum = 0.0;
+            for (const std::uint16_t level : quantise(even, encoding).samples) sum += level;
+            CHECK(sum / (3 * 64 * 64) == Approx(light).margin(0.0004));
+        }
+}
+
+TEST_CASE("the curves of television", "[image][transfer]")
+{
+    CHECK(TransferCurve::bt709().encode(0.2f) == Approx(0.4337f).margin(1e-4));
+    CHECK(TransferCurve::bt2020().encode(0.2f) == Approx(0.4334f).margin(2e-4));
+    for (const TransferCurve& curve : {TransferCurve::bt709(), TransferCurve::bt2020()})
+        for (const float x : {0.0f, 0.01f, 0.018f, 0.019f, 0.3f, 1.0f})
+            CHECK(curve.decode(curve.encode(x)) == Approx(x).margin(2e-4));
 }

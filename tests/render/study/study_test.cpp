@@ -97,7 +97,8 @@ TEST_CASE("a scene is asked about what it has and nothing else", "[study]")
 {
     const auto plain_scene = families("light_source { 5*y rgb 1 } sphere { 0, 1 pigment { rgb 1 } }");
     CHECK(plain_scene == std::set<std::string>{"antialiasing", "antialiasing, method 1", "antialiasing, method 2",
-                                               "samples", "samples in a time", "samples where needed"});
+                                               "antialiasing, method 3", "samples", "samples in a time",
+                                               "samples where needed"});
     const auto rich = families("light_source { 5*y rgb 1 area_light x, z, 3, 3 }\n"
                                "sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }\n"
                                "plane { y, -1 pigment { rgb .5 } }");

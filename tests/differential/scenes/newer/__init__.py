@@ -1,0 +1,1 @@
+"""Classes of scenes for POV-Ray 3.8."""
