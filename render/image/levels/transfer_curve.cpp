@@ -15,6 +15,19 @@ constexpr float kIdentityExponent = 0.01f;
 /// The first language version with gamma handling always on.
 constexpr int kGammaVersion = 370;
 
+/// Curves of television (ITU-R BT.709 and BT.2020): a line below a knee and a shifted power above it. What the line
+/// leads to at the knee is 4.5 times as much.
+struct Television {
+    float scale, knee;
+
+    float encode(float x) const { return x < knee ? 4.5f * x : scale * numbers::pow(x, 0.45f) - (scale - 1.0f); }
+    float decode(float x) const
+    {
+        return x < 4.5f * knee ? x / 4.5f : numbers::pow((x + (scale - 1.0f)) / scale, 1.0f / 0.45f);
+    }
+};
+constexpr Television kBt709{1.099f, 0.018f}, kBt2020{1.09929682680944f, 0.018053968510807f};
+
 }  // namespace
 
 TransferCurve TransferCurve::power(float decoding_gamma)
@@ -28,6 +41,8 @@ float TransferCurve::encode(float x) const
     switch (kind) {
     case Kind::Linear: return x;
     case Kind::Power: return numbers::pow(std::max(x, 0.0f), 1.0f / gamma);
+    case Kind::Bt709: return kBt709.encode(x);
+    case Kind::Bt2020: return kBt2020.encode(x);
     case Kind::Srgb: break;
     }
     return x <= 0.0031308f ? x * 12.92f : 1.055f * numbers::pow(x, 1.0f / 2.4f) - 0.055f;
@@ -38,6 +53,8 @@ float TransferCurve::decode(float x) const
     switch (kind) {
     case Kind::Linear: return x;
     case Kind::Power: return numbers::pow(std::max(x, 0.0f), gamma);
+    case Kind::Bt709: return kBt709.decode(x);
+    case Kind::Bt2020: return kBt2020.decode(x);
     case Kind::Srgb: break;
     }
     return x < 0.04045f ? x / 12.92f : numbers::pow((x + 0.055f) / 1.055f, 2.4f);

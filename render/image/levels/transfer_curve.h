@@ -7,18 +7,20 @@ namespace image {
 /// How a light level is stored: `encode` maps linear light to the stored value, `decode` maps it back (spec 2, 10.2).
 /// Single precision, as POV-Ray computes it; nothing is clamped above 1.
 struct TransferCurve {
-    enum class Kind { Linear, Power, Srgb };
+    enum class Kind { Linear, Power, Srgb, Bt709, Bt2020 };
     Kind kind = Kind::Linear;
     float gamma = 1.0f;  ///< Power only: the decoding exponent, stored^gamma is linear light
 
     static TransferCurve linear() { return {}; }
     static TransferCurve srgb() { return {Kind::Srgb, 2.2f}; }
+    static TransferCurve bt709() { return {Kind::Bt709, 1.9f}; }
+    static TransferCurve bt2020() { return {Kind::Bt2020, 1.9f}; }
     /// Within 1 % of an exponent of 1 the curve is the identity, so that negative values survive, as in POV-Ray.
     static TransferCurve power(float decoding_gamma);
 
     float encode(float linear) const;
     float decode(float stored) const;
-    /// The exponent that comes nearest, for a file's gAMA entry: 2.2 for sRGB.
+    /// The exponent that comes nearest, for a file's gAMA entry: 2.2 for sRGB, 1.9 for those of television.
     float approximate_gamma() const { return kind == Kind::Linear ? 1.0f : gamma; }
     friend bool operator==(const TransferCurve&, const TransferCurve&) = default;
 };
