@@ -35,6 +35,17 @@ T around_tube(const T& px, const T& py, const T& pz)
     return csg::lanes::choose(py > T(0.0), one - turned, turned);
 }
 
+/// A mirror ball's picture, as of light probes: <0, 0, 1> in the middle, <0, 0, -1> all around (docs/povray/07b, 5).
+/// Places in a picture of 1 by 1; what to multiply x and y by to get there from the middle.
+template <class T>
+T from_middle(const T& x, const T& y, const T& z)
+{
+    using csg::lanes::root_of;
+    const T beside = root_of(x * x + y * y), length = root_of(x * x + y * y + z * z);
+    const T reach = numbers::acos(z / length) / T(kTau) / beside;
+    return csg::lanes::choose(beside == T(0.0), T(0.0), reach);
+}
+
 /// The point in texels, rightward and upward; false where the projection has none.
 template <class T>
 csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const glm::dvec2& size)
@@ -62,6 +73,13 @@ csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const g
         x = turn(x, z) * sx;
         y = around * sy;
         return off_axis;
+    }
+    case Image::Projection::Angular: {
+        const csg::lanes::Truth<T> somewhere = !(x * x + y * y + z * z == zero);
+        const T reach = from_middle(x, y, z);
+        x = (T(0.5) + x * reach) * sx;
+        y = (T(0.5) + y * reach) * sy;
+        return somewhere;
     }
     }
     return zero != zero;
@@ -142,6 +160,11 @@ scene::Color shown_at(const Image& image, const glm::dvec2& place, Texels&& texe
         c.red /= alpha;
         c.green /= alpha;
         c.blue /= alpha;
+    }
+    if (image.faded_filter != 0.0f || image.faded_transmit != 0.0f) {
+        const float alpha = 1.0f - c.transmit;
+        c.filter = image.faded_filter * alpha;
+        c.transmit += image.faded_transmit * alpha;
     }
     return c;
 }
@@ -249,7 +272,8 @@ bool image_is_clear(const Image& image)
     if (!image.palette.empty()) return std::any_of(image.palette.begin(), image.palette.end(), clear);
     const bool alike = image.picture->channels % 2 != 0;  // no alpha
     const std::size_t count = alike ? 1 : image.picture->count();
-    return image.filter != 0.0f || with_texels(image, [&](auto&& texel_of) {
+    return image.filter != 0.0f || image.faded_filter != 0.0f || image.faded_transmit != 0.0f ||
+           with_texels(image, [&](auto&& texel_of) {
                for (std::size_t i = 0; i < count; ++i)
                    if (texel_of(i).transmit != 0.0f) return true;
                return false;

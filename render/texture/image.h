@@ -15,7 +15,13 @@ namespace texture {
 
 /// Settings resolved, colours decoded as they are looked up: a picture stays as its file has it. Built once by plan/.
 struct Image {
-    enum class Projection : std::uint8_t { Planar, Spherical, Cylindrical, Torus } projection = Projection::Planar;
+    enum class Projection : std::uint8_t {
+        Planar,
+        Spherical,
+        Cylindrical,
+        Torus,
+        Angular
+    } projection = Projection::Planar;
     enum class Interpolation : std::uint8_t {
         None,
         Bilinear,
@@ -26,12 +32,13 @@ struct Image {
     bool by_place = false;       ///< `use_index` of a picture with a palette
     bool premultiplied = false;  ///< colours of a pigment are divided by their alpha
     enum class Value : std::uint8_t { Grey, Red, Transmit } value = Value::Grey;  ///< what image_pattern shows
-    bool opaque = true;                   ///< no texel lets light through, and the picture covers everything
-    bool clear_in_file = false;           ///< not opaque by its file and by `transmit` of its palette
-    std::uint32_t width = 0, height = 0;  ///< texels, not 0
-    glm::dvec2 repeat{1.0}, offset{0.0};  ///< in pictures
-    float filter = 0;                     ///< of every texel without a palette
-    std::vector<float> transmit;          ///< added to that of every texel without a palette, in order
+    bool opaque = true;                          ///< no texel lets light through, and the picture covers everything
+    bool clear_in_file = false;                  ///< not opaque by its file and by `transmit` of its palette
+    std::uint32_t width = 0, height = 0;         ///< texels, not 0
+    glm::dvec2 repeat{1.0}, offset{0.0};         ///< in pictures
+    float filter = 0;                            ///< of every texel without a palette
+    std::vector<float> transmit;                 ///< added to that of every texel without a palette, in order
+    float faded_filter = 0, faded_transmit = 0;  ///< the same in POV-Ray 3.8: what a texel lets be seen is cut by them
 
     std::shared_ptr<const image::Picture> picture;  ///< top row first
     std::vector<float> levels;                      ///< what each level of its samples shows; none: what it stands for

@@ -165,6 +165,7 @@ Double folded(const Double& v, const Pattern& pattern)
 void waved_points(const Pattern& pattern, std::size_t count, Values& values)
 {
     using scene::WaveForm;
+    if (pattern.wave == WaveForm::Raw) return;
     const Double zero(0.0), half(0.5), one(1.0), two(2.0);
     for (std::size_t i = 0; i < count; i += kLanes) {
         Double v = Double::load_aligned(values.data() + i);

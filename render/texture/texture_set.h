@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace csg {
+struct FreeformShape;
 class InsideIndex;
 }
 
@@ -117,6 +118,14 @@ struct WarpReach {
     }
 };
 
+/// What a `potential` is the field of: a blob or an isosurface, and where it stands in pattern space.
+struct Potential {
+    std::shared_ptr<const csg::FreeformShape> shape;
+    Affine into;             ///< pattern space -> the shape's
+    double threshold = 0.0;  ///< taken off where Pattern::numbers[0] is not 0
+    bool inverse = false;    ///< the object has its inside out: the sign turns
+};
+
 struct TextureSet {
     std::vector<Texture> textures;
     std::vector<Layer> layers;
@@ -130,6 +139,7 @@ struct TextureSet {
     std::vector<Image> images;
     std::vector<std::shared_ptr<const scene::Volume>> volumes;
     std::vector<std::shared_ptr<const csg::InsideIndex>> objects;
+    std::vector<Potential> potentials;
     std::vector<function::FunctionPtr> functions;  ///< slots of patterns and pigments filled in
     std::vector<ColorFunctions> color_functions;
     std::vector<float> keys;

@@ -111,6 +111,57 @@ TEST_CASE("the old form of a colour map gives two entries", "[parser][texture]")
     CHECK(std::get<scene::ColorMap>(p.map).size() == 3);
 }
 
+TEST_CASE("a potential has a blob or an isosurface, and values of any size until a wave is written",
+          "[parser][texture]")
+{
+    using grammar_test::error_of;
+    const auto pattern = [](const std::string& written) {
+        const scene::Description d =
+            parsed("plane { y, 0 pigment { potential { blob { sphere { 0, 1, 2 } } } " + written + " } }");
+        return std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)
+            ->pattern;
+    };
+    CHECK(pattern("").wave == scene::WaveForm::Raw);
+    CHECK(pattern("").numbers == std::vector<double>{0});
+    CHECK(pattern("threshold on").numbers == std::vector<double>{1});
+    CHECK(pattern("threshold on threshold off").numbers == std::vector<double>{0});
+    CHECK(pattern("sine_wave").wave == scene::WaveForm::Sine);
+    CHECK(
+        error_of("plane { y, 0 pigment { potential { object { isosurface { function { x } } scale 2 } } } }").empty());
+    CHECK(error_of("plane { y, 0 pigment { potential { union { sphere { 0, 1 } } } } }") ==
+          "1:36: error: 'potential' takes a blob or an isosurface");
+    CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") == "1:29: error: only potential takes 'threshold'");
+}
+
+TEST_CASE("crackle repeats after whole numbers of cells", "[parser][texture]")
+{
+    using grammar_test::error_of;
+    const scene::Description d = parsed("plane { y, 0 pigment { crackle repeat <2.7, 0, 4> } }");
+    const auto& pattern =
+        std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)->pattern;
+    CHECK(pattern.numbers == std::vector<double>{2, 0, 0, 2, 0, 4});
+    CHECK(error_of("plane { y, 0 pigment { crackle repeat -1 } }") ==
+          "1:32: error: a pattern repeats after 0 or more cells, not fewer");
+    CHECK(error_of("plane { y, 0 pigment { bozo repeat 2 } }") == "1:29: error: only crackle takes 'repeat'");
+}
+
+TEST_CASE("pictures of POV-Ray 3.8: an angular map and the curves of television", "[parser][texture]")
+{
+    using grammar_test::error_of;
+    const std::string before = "plane { y, 0 pigment { image_map { function 2, 2 { x } ", after = " } } }";
+    const auto image = [](const scene::Description& d) {
+        const auto& pigment =
+            std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind);
+        return std::get<std::shared_ptr<const scene::ImageMap>>(pigment->pattern.data);
+    };
+    CHECK(image(parsed("#version 3.8;" + before + "map_type 7" + after))->projection ==
+          scene::ImageMap::Projection::Angular);
+    CHECK(error_of(before + "map_type 7" + after)
+              .ends_with("map_type of an image_map is 0, 1, 2 or 5; of POV-Ray 3.8 also 7"));
+    CHECK(image(parsed(before + "gamma bt709" + after))->source.gamma->kind == scene::FileGamma::Kind::Bt709);
+    CHECK(image(parsed(before + "gamma bt2020" + after))->source.gamma->kind == scene::FileGamma::Kind::Bt2020);
+}
+
 TEST_CASE("a light moves with what has been given", "[parser][light]")
 {
     const scene::Description d = parsed("light_source { 0, rgb 1 spotlight translate x point_at y }");

@@ -133,12 +133,35 @@ void Blob::each_near(const glm::dvec3& p, F&& f) const
     }
 }
 
-bool Blob::contains(const glm::dvec3& p) const
+double Blob::field(const glm::dvec3& p) const
 {
     double sum = 0.0;
     each_near(p, [&](const Field& field, const glm::dvec3&, double w) { sum += field.strength * w * w; });
-    return sum > threshold_ - kSkin;
+    return sum;
 }
+
+void Blob::fields(const double* x, const double* y, const double* z, std::size_t count, double* out) const
+{
+    using lanes::Double;
+    if (!tree_.nodes.empty()) {
+        for (std::size_t i = 0; i < count; ++i) out[i] = field({x[i], y[i], z[i]});
+        return;
+    }
+    const Double zero(0.0), one(1.0);
+    for (std::size_t i = 0; i < count; i += lanes::kDoubles) {
+        const lanes::Points p{Double::load_aligned(x + i), Double::load_aligned(y + i), Double::load_aligned(z + i)};
+        Double sum = zero;
+        for (const Field& field : fields_) {
+            const auto u = field.unit(p);
+            const Double beyond = u.z - lanes::smaller(lanes::larger(u.z, zero), Double(field.length)),
+                         w = one - (u.x * u.x + u.y * u.y + beyond * beyond);
+            sum = sum + lanes::choose(w > zero, Double(field.strength) * w * w, zero);
+        }
+        sum.store_aligned(out + i);
+    }
+}
+
+bool Blob::contains(const glm::dvec3& p) const { return field(p) > threshold_ - kSkin; }
 
 glm::dvec3 Blob::gradient(const glm::dvec3& p, std::uint32_t) const
 {

@@ -32,9 +32,14 @@ public:
     bool intersects_many() const { return !box_.empty(); }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
+    /// What the components add up to.
+    double field(const glm::dvec3& p) const;
+    /// The same of many points; aligned, with room for whole vectors.
+    void fields(const double* x, const double* y, const double* z, std::size_t count, double* out) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t) const;
     /// The parts' shares of |field| at p.
     void shares(const glm::dvec3& p, std::vector<Share>& out) const;
+    double threshold() const { return threshold_; }
     Aabb bounds() const { return box_; }
     Aabb extent() const { return extent_; }
 

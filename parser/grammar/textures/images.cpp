@@ -1,3 +1,4 @@
+#include "csg/freeform/freeform.h"
 #include "parser/grammar/textures/density_file.h"
 #include "parser/grammar/core/function_samples.h"
 #include "parser/grammar/textures/images.h"
@@ -128,7 +129,11 @@ struct picture : taker<picture>, always {
 struct map_type : item<Kind::MapType, a_number> {
     static void act(ImageState& s)
     {
-        s.projection_fits = set_by_number(s.made.projection, ImageMap::kProjections, s.pop_int()) && s.projection_fits;
+        constexpr int kAngular = 7;  // a number without meaning before POV-Ray 3.8
+        const int number = s.pop_int();
+        const bool known = number != kAngular || s.stream().povray() == scene::PovRay::V38;
+        s.projection_fits = known && set_by_number(s.made.projection, ImageMap::kProjections, number) &&
+                            s.projection_fits;
     }
 };
 struct interpolate : item<Kind::Interpolate, a_number> {
@@ -254,7 +259,7 @@ std::shared_ptr<const ImageMap> read_image_block(SceneBuilder& build, bool color
     ImageState s(build);
     if (!colors) return read_image<ImageBlock>(build, s);
     const auto image = read_image<ImageMapBlock>(build, s);
-    if (!s.projection_fits) s.fail("map_type of an image_map is 0, 1, 2 or 5");
+    if (!s.projection_fits) s.fail("map_type of an image_map is 0, 1, 2 or 5; of POV-Ray 3.8 also 7");
     if (!s.interpolation_fits) s.fail("interpolate of an image_map is 2, 3 or 4");
     return image;
 }
@@ -285,6 +290,19 @@ std::shared_ptr<const scene::Object> read_object_pattern(SceneBuilder& build)
     build.open_block("object");
     auto object = read_object(build);
     if (!object) build.fail_unknown("an object");
+    return std::make_shared<const scene::Object>(std::move(*object));
+}
+
+std::shared_ptr<const scene::Object> read_potential(SceneBuilder& build)
+{
+    const auto opened = build.open_block("potential");
+    const scene::SourceRef at = build.stream().here();
+    auto object = read_object(build);
+    const auto* shape = object ? std::get_if<scene::Freeform>(&object->shape) : nullptr;
+    const bool field = shape && (std::holds_alternative<csg::Blob>(shape->shape->kind) ||
+                                 std::holds_alternative<csg::Isosurface>(shape->shape->kind));
+    if (!field) build.stream().fail(at, "'potential' takes a blob or an isosurface");
+    build.close_block("potential", opened);
     return std::make_shared<const scene::Object>(std::move(*object));
 }
 

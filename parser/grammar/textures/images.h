@@ -10,14 +10,22 @@ namespace parser {
 /// `function w, h { }`. The picture itself is not read.
 scene::ImageSource read_image_source(SceneBuilder& build);
 Form image_source_form();
-/// `gamma` with a number or srgb, of a state that has an image's source.
-struct image_gamma : item<Kind::Gamma, srgb_or_number> {
+using file_curve = pegtl::sor<any_token<Kind::Srgb, Kind::Bt709, Kind::Bt2020>, a_number>;
+template <>
+inline constexpr auto expected<file_curve> = "a number";
+/// `gamma` with a number or a curve's name, of a state that has an image's source.
+struct image_gamma : item<Kind::Gamma, file_curve> {
     template <class State>
     static void act(State& s)
     {
         scene::FileGamma& gamma = s.part(static_cast<scene::ImageSource*>(nullptr)).gamma.emplace();
-        gamma.srgb = s.operands() == 0;
-        if (!gamma.srgb) gamma.exponent = s.pop_float();
+        if (s.operands() != 0) {
+            gamma.exponent = s.pop_float();
+            return;
+        }
+        using Curve = scene::FileGamma::Kind;
+        const Kind name = s.stream().taken_last().kind;
+        gamma.kind = name == Kind::Srgb ? Curve::Srgb : name == Kind::Bt709 ? Curve::Bt709 : Curve::Bt2020;
     }
 };
 /// image_map, bump_map, image_pattern: the whole block. `colors`: filter and transmit may stand in it.
@@ -27,5 +35,7 @@ std::shared_ptr<const scene::ImageMap> read_material_map(SceneBuilder& build, Te
 std::shared_ptr<const scene::DensityFile> read_density_file(SceneBuilder& build);
 /// Stops before what the object's outside and inside have; close_list() takes the brace behind that.
 std::shared_ptr<const scene::Object> read_object_pattern(SceneBuilder& build);
+/// `potential`: the whole block.
+std::shared_ptr<const scene::Object> read_potential(SceneBuilder& build);
 
 }  // namespace parser

@@ -74,6 +74,27 @@ struct metric : item<Kind::Metric, a_number> {
 struct solid : item<Kind::Solid> {
     static void act(ModifierState& s) { s.set("crackle", 2, 1); }
 };
+/// Whether the potential is told less its object's threshold; other types do not take it (POV-Ray 3.8).
+struct less_threshold : item<Kind::Threshold, a_number> {
+    static void act(ModifierState& s)
+    {
+        if (s.pattern.name != "potential") s.fail("only potential takes 'threshold'");
+        s.pattern.numbers[0] = s.pop_float() != 0.0 ? 1.0 : 0.0;
+    }
+};
+/// Whole numbers of cells, cut off; other types do not take it (POV-Ray 3.8).
+struct crackle_repeat : item<Kind::Repeat, a_vector> {
+    static void act(ModifierState& s)
+    {
+        constexpr double kMost = 1 << 30;
+        const glm::dvec3 cells = glm::trunc(s.pop_vector());
+        for (int i = 0; i < 3; ++i)
+            if (!(cells[i] >= 0.0 && cells[i] <= kMost)) s.fail("a pattern repeats after 0 or more cells, not fewer");
+        if (s.pattern.name != "crackle") s.fail("only crackle takes 'repeat'");
+        s.pattern.numbers.resize(6);
+        for (std::size_t i = 0; i < 3; ++i) s.pattern.numbers[3 + i] = cells[static_cast<int>(i)];
+    }
+};
 struct exponent : item<Kind::Exponent, a_number> {
     static void act(ModifierState& s)
     {
@@ -213,19 +234,18 @@ struct warp : item<Kind::Warp, reads<warp_block>> {
 };
 
 using scene::WaveForm;
-using Modifiers =
-    table<ModifierState, member<Kind::Turbulence, &Turbulence::amount>, member<Kind::Octaves, &Turbulence::octaves>,
-          member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>,
-          member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
-          wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
-          wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
-          wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator,
-          parameter<Kind::AgateTurb, Kind::Agate, 0>, brick_size, parameter<Kind::Mortar, Kind::Brick, 0>,
-          parameter<Kind::Control0, Kind::Quilted, 0>, parameter<Kind::Control1, Kind::Quilted, 1>, form, metric,
-          parameter<Kind::Offset, Kind::Crackle, 1>, solid, parameter<Kind::Size, Kind::Facets, 0>,
-          parameter<Kind::Coords, Kind::Facets, 1>, exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>,
-          parameter<Kind::NumberOfSides, Kind::Pavement, 0>, parameter<Kind::NumberOfTiles, Kind::Pavement, 1>,
-          parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
+using Modifiers = table<
+    ModifierState, member<Kind::Turbulence, &Turbulence::amount>, member<Kind::Octaves, &Turbulence::octaves>,
+    member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>,
+    member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
+    wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
+    wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
+    wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, parameter<Kind::AgateTurb, Kind::Agate, 0>,
+    brick_size, parameter<Kind::Mortar, Kind::Brick, 0>, parameter<Kind::Control0, Kind::Quilted, 0>,
+    parameter<Kind::Control1, Kind::Quilted, 1>, form, metric, parameter<Kind::Offset, Kind::Crackle, 1>, solid,
+    crackle_repeat, less_threshold, parameter<Kind::Size, Kind::Facets, 0>, parameter<Kind::Coords, Kind::Facets, 1>,
+    exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>, parameter<Kind::NumberOfSides, Kind::Pavement, 0>,
+    parameter<Kind::NumberOfTiles, Kind::Pavement, 1>, parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
 
 }  // namespace
 

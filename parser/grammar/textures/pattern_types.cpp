@@ -234,6 +234,17 @@ struct object : item<Kind::Object, reads<object_list>> {
         s.pattern.frequency = 0;
     }
 };
+/// Values of any size; frequency and phase count behind a wave's name only.
+Production potential_block() { return {"potential_block", Form::braces({Form::named(any_object)})}; }
+struct potential : item<Kind::Potential, reads<potential_block>> {
+    static void act(PatternState& s)
+    {
+        set_type(s, "potential");
+        s.pattern.data = read_potential(s.build);
+        s.pattern.numbers = {0};
+        s.pattern.wave = scene::WaveForm::Raw;
+    }
+};
 struct density_file
     : item<Kind::DensityFile, by_action<token<Kind::Df3>, a_text, opt<token<Kind::Interpolate>, a_number>>> {
     static void act(PatternState& s)
@@ -247,7 +258,7 @@ struct density_file
 
 using Types = table<PatternState, triangle_wave<Kind::Marble>, triangle_wave<Kind::Wood>, agate, gradient,
                     spiral<Kind::Spiral1>, spiral<Kind::Spiral2>, tiling, mandel, julia, magnet, slope, pigment_pattern,
-                    function_pattern, image_pattern, object, density_file>;
+                    function_pattern, image_pattern, object, potential, density_file>;
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 
 using image::TransferCurve;
 
-constexpr int kGammaVersion = 370;
+constexpr int kGammaVersion = 370, kFadesVersion = 380;
 
 bool ends_with_any(const std::string& path, std::initializer_list<const char*> endings)
 {
@@ -91,14 +91,24 @@ void take_palette(const image::Picture& picture, const image::Transcoder& levels
     }
 }
 
-/// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3).
-void apply_transparency(const scene::ImageMap& written, texture::Image& out)
+/// Whether POV-Ray keeps an alpha with each texel: of a TIFF always.
+bool keeps_alpha(const scene::ImageSource& source)
 {
+    return source.picture->channels % 2 == 0 || ends_with_any(source.path, {".tif", ".tiff"});
+}
+
+/// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3). Since 3.8 texels fade that
+/// have an alpha, the last of both counts, and leaves others alone (docs/povray/07b, 4).
+void apply_transparency(const scene::ImageMap& written, bool fades, texture::Image& out)
+{
+    const bool faded = keeps_alpha(written.source);
     for (const scene::ImageMap::Clarity& clarity : written.clarities) {
         const auto set = [&](scene::Color& color) {
             (clarity.filter ? color.filter : color.transmit) = clarity.amount;
         };
-        if (!clarity.place && out.palette.empty()) {
+        if (!clarity.place && out.palette.empty() && fades) {
+            if (faded) (clarity.filter ? out.faded_filter : out.faded_transmit) = clarity.amount;
+        } else if (!clarity.place && out.palette.empty()) {
             if (clarity.filter) out.filter += clarity.amount;
             else out.transmit.push_back(clarity.amount);
         } else if (!clarity.place) {
@@ -139,7 +149,7 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     else take_samples(levels, ends_with_any(source.path, {".png"}), out);
     const bool asked = colors || written.use == scene::ImageMap::Use::Alpha, clear = asked && image_is_clear(out);
     out.clear_in_file = written.once || clear;
-    apply_transparency(written, out);
+    apply_transparency(written, scene.povray == scene::PovRay::V38 && scene.effective_version >= kFadesVersion, out);
     for (const scene::Color& color : out.palette) out.clear_in_file = out.clear_in_file || color.transmit != 0.0f;
     out.opaque = written.clarities.empty() ? !clear : !(asked && image_is_clear(out));
     out.premultiplied = picture.premultiplied;

@@ -86,6 +86,7 @@ private:
     private:
         int& depth_;
     };
+    texture::Potential potential(const scene::Object& object);
     void note(const std::string& what, const scene::SourceRef& source);
     /// Puts it into the set, after those inside of it.
     std::uint32_t add(const texture::Pigment& pigment);

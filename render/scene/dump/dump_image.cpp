@@ -12,8 +12,8 @@ void ImageSource::dump(DumpWriter& out) const
         out.words(kind, path);
     }
     if (!gamma) return;
-    if (gamma->srgb) out.line("gamma", "\"srgb\"");
-    else out.words("gamma", gamma->exponent);
+    if (gamma->kind == FileGamma::Kind::Power) out.words("gamma", gamma->exponent);
+    else out.words("gamma", FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]);
 }
 
 void ImageMap::dump(DumpWriter& out) const

@@ -17,6 +17,7 @@ const char* name_of(WaveForm wave)
     case WaveForm::Scallop: return "scallop_wave";
     case WaveForm::Cubic: return "cubic_wave";
     case WaveForm::Poly: return "poly_wave";
+    case WaveForm::Raw: return "none";
     }
     return "";
 }

@@ -12,7 +12,7 @@ namespace scene {
 /// image_map, image_pattern, bump_map, material_map: a picture over a plane or around a solid (reference manual: Image
 /// Map).
 struct ImageMap {
-    enum class Projection : std::uint8_t { Planar, Spherical, Cylindrical, Torus };
+    enum class Projection : std::uint8_t { Planar, Spherical, Cylindrical, Torus, Angular };
     enum class Interpolation : std::uint8_t { None, Bilinear, Bicubic, NormalizedDistance };
     /// What a pattern or bump takes of a pixel. Usual: what its user takes if nothing is written.
     enum class Use : std::uint8_t { Usual, Index, Color, Alpha };
@@ -35,7 +35,7 @@ struct ImageMap {
     SourceRef at;
 
     /// `map_type` and `interpolate` as numbers of the language; what a number does not name is left as it was.
-    static constexpr int kProjections[] = {0, 1, 2, 5};
+    static constexpr int kProjections[] = {0, 1, 2, 5, 7};
     static constexpr int kInterpolations[] = {0, 2, 3, 4};
     void dump(DumpWriter& out) const;
 };

@@ -5,19 +5,28 @@
 #include "render/image/levels/transfer_curve.h"
 #include "render/scene/base/dump_writer.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace scene {
 
-/// `gamma` of a picture as written: a number or srgb.
+/// `gamma` of a picture as written: a number, srgb, bt709 or bt2020.
 struct FileGamma {
-    bool srgb = false;
-    double exponent = 1.0;
+    enum class Kind : std::uint8_t { Power, Srgb, Bt709, Bt2020 } kind = Kind::Power;
+    double exponent = 1.0;  ///< Power only
+
+    static constexpr std::string_view kNames[] = {"", "srgb", "bt709", "bt2020"};
     image::TransferCurve curve() const
     {
-        return srgb ? image::TransferCurve::srgb() : image::TransferCurve::power(static_cast<float>(exponent));
+        switch (kind) {
+        case Kind::Srgb: return image::TransferCurve::srgb();
+        case Kind::Bt709: return image::TransferCurve::bt709();
+        case Kind::Bt2020: return image::TransferCurve::bt2020();
+        case Kind::Power: break;
+        }
+        return image::TransferCurve::power(static_cast<float>(exponent));
     }
 };
 

@@ -15,7 +15,8 @@
 /// Textures as the author wrote them, defaults filled in (reference manual 3.6; spec 4).
 namespace scene {
 
-enum class WaveForm { Ramp, Sine, Triangle, Scallop, Cubic, Poly };
+/// Raw: a value of any size stays as it is, without frequency and phase; `potential` has it unless a wave is written.
+enum class WaveForm { Ramp, Sine, Triangle, Scallop, Cubic, Poly, Raw };
 
 /// The turbulence of a pattern ("classic", applied last) or of `warp { turbulence }`.
 struct Turbulence {
@@ -51,8 +52,8 @@ struct Object;
 struct Subsurface;
 struct Pigment;
 
-/// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object;
-/// user_defined.
+/// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object and
+/// potential; user_defined.
 using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>,
                                  std::shared_ptr<const Object>, std::shared_ptr<const ColorFunctions>>;
 

@@ -204,13 +204,13 @@ Finder find(const glm::dvec3& p, CellPoints& cells, double metric, bool signed_s
 /// Of the cells about a base cell, axis by axis: from two below it to two above.
 class CellAxes {
 public:
-    explicit CellAxes(const glm::dvec3& base)
+    CellAxes(const glm::dvec3& base, const glm::ivec3& repeat)
     {
         for (int k = 0; k < 3; ++k)
             for (int step = -2; step <= 2; ++step) {
                 const double at = base[k] + step;
                 cells_[axis(k)][place(step)] = at;
-                index_[axis(k)][place(step)] = static_cast<std::size_t>(static_cast<long long>(at) & kMask);
+                index_[axis(k)][place(step)] = static_cast<std::size_t>(cell_number(at, repeat[k]) & kMask);
             }
     }
 
@@ -230,6 +230,13 @@ public:
 
 private:
     static constexpr long long kMask = NoiseTables::kHashSize - 1;
+    static long long cell_number(double at, int repeat)
+    {
+        const auto number = static_cast<long long>(at);
+        if (repeat == 0) return number;
+        const long long left = number % repeat;
+        return left < 0 ? left + repeat : left;
+    }
     static constexpr std::size_t axis(int k) { return static_cast<std::size_t>(k); }
     static constexpr std::size_t place(int step) { return static_cast<std::size_t>(step + 2); }
 
@@ -239,11 +246,12 @@ private:
 
 }  // namespace
 
-void CellPoints::move_to(const glm::dvec3& base_cell)
+void CellPoints::move_to(const glm::dvec3& base_cell, const glm::ivec3& repeat)
 {
     base_ = base_cell;
+    repeat_ = repeat;
     count_ = kNear;
-    const CellAxes axes(base_cell);
+    const CellAxes axes(base_cell, repeat);
     constexpr std::size_t kColumn = 3;  // cells, behind each other
     for (std::size_t i = 0; i < kNear; i += kColumn) {
         const std::size_t column = axes.column(kOffsets[i].x, kOffsets[i].y);
@@ -256,13 +264,13 @@ void CellPoints::complete()
 {
     if (completed()) return;
     count_ = kAll;
-    const CellAxes axes(base_);
+    const CellAxes axes(base_, repeat_);
     for (std::size_t i = kNear; i < kAll; ++i)
         axes.put(*this, i, kOffsets[i], axes.column(kOffsets[i].x, kOffsets[i].y));
     for (std::size_t i = kAll; i < kRoom; ++i) x[i] = y[i] = z[i] = csg::kInfinity;
 }
 
-CellPoints& cell_points(const glm::dvec3& base_cell)
+CellPoints& cell_points(const glm::dvec3& base_cell, const glm::ivec3& repeat)
 {
     constexpr std::size_t kKept = 32;  // four by four by two cells beside each other, 70 KB: not of every thread
     thread_local const auto all = std::make_unique<std::array<CellPoints, kKept>>();
@@ -270,7 +278,7 @@ CellPoints& cell_points(const glm::dvec3& base_cell)
         return static_cast<std::size_t>(static_cast<long long>(base_cell[k]) & mask);
     };
     CellPoints& cells = (*all)[part(0, 3) | part(1, 3) << 2 | part(2, 1) << 4];
-    if (!cells.are_of(base_cell)) cells.move_to(base_cell);
+    if (!cells.are_of(base_cell, repeat)) cells.move_to(base_cell, repeat);
     return cells;
 }
 

@@ -11,11 +11,17 @@
 #include <algorithm>
 #include <cmath>
 
-/// vector: form; numbers: metric, offset, solid.
+/// vector: form; numbers: metric, offset, solid, repeat of each axis (whole numbers from 0 on).
 namespace texture {
 namespace {
 
 using csg::lanes::Double;
+
+glm::ivec3 repeat(const Pattern& pattern)
+{
+    return {static_cast<int>(pattern.numbers[3]), static_cast<int>(pattern.numbers[4]),
+            static_cast<int>(pattern.numbers[5])};
+}
 
 bool solid(const Pattern& pattern) { return pattern.numbers[2] != 0.0; }
 
@@ -105,7 +111,7 @@ void solid_values(const Pattern& pattern, const Points& p, CellPoints& cells, Va
 void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values& out)
 {
     constexpr int kFew = 2;  // up to so many points cells fill the lanes better
-    CellPoints& cells = cell_points(base);
+    CellPoints& cells = cell_points(base, repeat(pattern));
     const double metric = pattern.numbers[0];
     const bool lengths = (metric == 1.0 || metric == 2.0) && pattern.numbers[1] == 0.0;
     if (solid(pattern)) return solid_values(pattern, p, cells, out);
@@ -122,7 +128,7 @@ void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values
 
 double crackle(const Pattern& pattern, const glm::dvec3& p)
 {
-    return crackle_in(pattern, p, cell_points(glm::floor(p - kTiny)));
+    return crackle_in(pattern, p, cell_points(glm::floor(p - kTiny), repeat(pattern)));
 }
 
 void crackle_values(const Pattern& pattern, const Points& p, Values& out)

@@ -23,7 +23,8 @@ double folded(double v)
 double wave(const Pattern& pattern, double v)
 {
     switch (pattern.wave) {
-    case scene::WaveForm::Ramp: return v;
+    case scene::WaveForm::Ramp:
+    case scene::WaveForm::Raw: return v;
     case scene::WaveForm::Sine: return (1.0 + cycle(v)) / 2.0;
     case scene::WaveForm::Triangle: return triangle(v);
     case scene::WaveForm::Scallop: return std::abs(cycle(v / 2.0));

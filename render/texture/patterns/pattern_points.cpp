@@ -250,6 +250,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Gradient: return gradient_values(pattern, p, out);
     case PatternKind::Onion: return onion_values(p, out);
     case PatternKind::Object: return object_values(*set.objects[pattern.data], p, out);
+    case PatternKind::Potential: return potential_values(set.potentials[pattern.data], pattern, p, out);
     case PatternKind::Function: return function_values(set, pattern, p, out);
     case PatternKind::Image: return image_values(set.images[pattern.data], p, out);
     case PatternKind::PigmentPattern: return grey_values(set, pattern, p, around, out);

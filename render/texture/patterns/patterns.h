@@ -14,6 +14,10 @@ namespace texture {
 /// numbers: interpolate.
 double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
 
+/// A field at a point (docs/povray/07b, 1). numbers: whether the threshold is taken off.
+double potential(const Potential& of, const Pattern& pattern, const glm::dvec3& p);
+void potential_values(const Potential& of, const Pattern& pattern, const Points& p, Values& out);
+
 /// What a user function tells: above 1 it counts from 0 again (spec 4, 5.2). v - trunc(v) is fmod(v, 1), to the bit.
 inline double wrapped_value(double v) { return v > 1.0 ? v - std::trunc(v) : v; }
 

@@ -49,8 +49,8 @@ TEST_CASE("two power laws become one", "[image][gamma]")
 
 TEST_CASE("decode undoes encode", "[image][gamma]")
 {
-    for (const TransferCurve& curve :
-         {TransferCurve::linear(), TransferCurve::srgb(), TransferCurve::power(2.2f), TransferCurve::power(1.8f)})
+    for (const TransferCurve& curve : {TransferCurve::linear(), TransferCurve::srgb(), TransferCurve::power(2.2f),
+                                       TransferCurve::power(1.8f), TransferCurve::bt709(), TransferCurve::bt2020()})
         for (int i = 0; i <= 1000; ++i) {
             const float x = static_cast<float>(i) / 800.0f;
             CHECK(curve.decode(curve.encode(x)) == Approx(x).margin(1e-6));

@@ -1,6 +1,7 @@
 #include "parser/parse.h"
 #include "render/plan/textures/textures.h"
 #include "render/texture/evaluate.h"
+#include "render/texture/evaluate_points.h"
 
 #include <catch2/catch.hpp>
 
@@ -33,11 +34,12 @@ std::vector<Measured> measured(const std::string& name)
     return out;
 }
 
-scene::Description parsed(const std::string& part)
+scene::Description parsed(const std::string& part, const std::string& version = "3.7")
 {
     parser::Options options;
     options.library_path = {WHITTLE_TEST_DATA};
-    return parser::parse_text("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 " + part + " }",
+    return parser::parse_text("#version " + version + "; global_settings { assumed_gamma 1 } sphere { 0, 1 " + part +
+                                  " }",
                               "test.pov", options)
         .scene;
 }
@@ -79,6 +81,32 @@ TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
             const float got[] = {c.red, c.green, c.blue, c.filter, c.transmit};
             // Half a unit of the last written digit, and the rounding of single precision.
             for (std::size_t k = 0; k < 5; ++k) CHECK(std::abs(static_cast<double>(got[k]) - row[3 + k]) <= 7e-8);
+        }
+    }
+}
+
+TEST_CASE("pigments answer as POV-Ray 3.8's do, by themselves and many at a time", "[plan][pigment]")
+{
+    const std::vector<Measured> all = measured("pigments38.txt");
+    REQUIRE(all.size() == 53);
+    for (const Measured& one : all) {
+        const scene::Description scene = parsed("pigment { " + one.statement + " }", "3.8");
+        texture::TextureSet set;
+        const std::uint32_t pigment =
+            compiled(scene, set, [&](plan::TextureCompiler& c) { return c.pigment(layer_of(scene).pigment); });
+        texture::Points points;
+        for (const auto& row : one.rows) points.add({row[0], row[1], row[2]});
+        points.pad();
+        texture::ColorPoints together;
+        texture::pigment_colors(set, pigment, points, {}, together);
+        for (std::size_t i = 0; i < one.rows.size(); ++i) {
+            const auto& row = one.rows[i];
+            INFO(one.statement << " at " << row[0] << ' ' << row[1] << ' ' << row[2]);
+            const scene::Color c = texture::pigment_color(set, pigment, points.at(i), {});
+            const float got[] = {c.red, c.green, c.blue, c.filter, c.transmit};
+            for (std::size_t k = 0; k < 5; ++k)
+                CHECK(static_cast<double>(got[k]) == Approx(row[3 + k]).margin(2e-7).epsilon(2e-7));
+            CHECK(together.at(i) == c);
         }
     }
 }
