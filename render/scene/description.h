@@ -8,6 +8,7 @@
 #include "render/scene/mesh_camera.h"
 #include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"
+#include "render/scene/user_camera.h"
 
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ struct Camera {
         Panoramic,
         Cylinder,
         Spherical,
-        Mesh
+        Mesh,
+        UserDefined
     };
     Kind kind = Kind::Perspective;
     int cylinder_type = 1;
@@ -42,6 +44,7 @@ struct Camera {
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
     int blur_samples = 0, blur_fewest = 0;  ///< at most and at least, a sample of the picture
     std::shared_ptr<const MeshCamera> mesh;
+    std::shared_ptr<const UserCamera> functions;
     std::optional<Normal> normal;  ///< bends the rays
     std::optional<Bokeh> bokeh;
     SourceRef source;
@@ -98,7 +101,7 @@ struct Description {
     /// The version that gamma, background, layers and sky follow: `version` if the text or the command line set one,
     /// else 362 (spec 1, 15.1).
     int effective_version = 362;
-    PovRay povray = PovRay::V37;  ///< V38: the main scene's #version is 3.71 or more, or --povray=3.8
+    PovRay povray = PovRay::V37;      ///< V38: the main scene's #version is 3.71 or more, or --povray=3.8
     double default_importance = 1.0;  ///< `radiosity` of #default: of objects that say nothing, and of the sky
     Camera camera;
     ObjectList objects;                        ///< in order; lights among them

@@ -88,7 +88,11 @@ struct ToWorld {
         if (csg::Cone::make(s.base, s.base_radius, s.cap, s.cap_radius, s.open, t, cone, radius)) return cone;
         return csg::Cylinder::make(s.base, s.cap, radius, s.open, t);
     }
-    csg::Solid operator()(const scene::Torus& s) const { return csg::Torus{std::abs(s.major), std::abs(s.minor), t}; }
+    csg::Solid operator()(const scene::Torus& s) const
+    {
+        if (has_spindle(s)) return csg::Freeform{csg::make_freeform<csg::SpindleTorus>(spindle_torus(s)), t};
+        return csg::Torus{std::abs(s.major), std::abs(s.minor), t};
+    }
     csg::Solid operator()(const scene::Shared<scene::Quadric>& s) const
     {
         return csg::Quadric{s->square, s->mixed, s->linear, s->constant, t};
@@ -140,6 +144,21 @@ struct ToWorld {
 };
 
 }  // namespace
+
+bool has_spindle(const scene::Torus& torus)
+{
+    using Spindle = scene::Torus::Spindle;
+    return torus.spindle == Spindle::Intersection ||
+           (torus.spindle != Spindle::Usual && torus.major > 0.0 && torus.minor > torus.major);
+}
+
+csg::SpindleTorus spindle_torus(const scene::Torus& torus)
+{
+    using Spindle = csg::SpindleTorus::Spindle;
+    static constexpr Spindle kSpindles[] = {Spindle::Union, Spindle::Union, Spindle::Merge, Spindle::Difference,
+                                            Spindle::Intersection};
+    return {torus.major, torus.minor, kSpindles[static_cast<std::size_t>(torus.spindle)]};
+}
 
 csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface)
 {
