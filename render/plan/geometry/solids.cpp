@@ -57,7 +57,7 @@ Corners oriented(const Corners& c, bool moved)
 
 struct ToWorld {
     const csg::Transform& t;
-    bool on_surface;
+    bool on_surface, sides_by_order;
 
     Corners moved(const Corners& c) const { return {t.point(c[0]), t.point(c[1]), t.point(c[2])}; }
     csg::Solid operator()(const scene::Sphere& s) const
@@ -103,7 +103,7 @@ struct ToWorld {
     }
     csg::Solid operator()(const scene::Triangle& s) const
     {
-        return csg::Triangle::make(oriented(moved(s.vertex), !t.identity()));
+        return csg::Triangle::make(oriented(moved(s.vertex), !sides_by_order && !t.identity()));
     }
     csg::Solid operator()(const scene::Shared<scene::SmoothTriangle>& s) const
     {
@@ -160,9 +160,10 @@ csg::SpindleTorus spindle_torus(const scene::Torus& torus)
     return {torus.major, torus.minor, kSpindles[static_cast<std::size_t>(torus.spindle)]};
 }
 
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface)
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface,
+                       bool sides_by_order)
 {
-    return std::visit(ToWorld{to_world, on_surface}, shape);
+    return std::visit(ToWorld{to_world, on_surface, sides_by_order}, shape);
 }
 
 }  // namespace plan
