@@ -7,7 +7,7 @@
 namespace csg {
 
 /// An arc turned about the line between its ends' middles, between two discs: a part of a spindle torus's inner sheet
-/// (POV-Ray 3.8's lemon; spec 7). It is convex. The discs belong to it, the surface of the arc does not; without the
+/// (POV-Ray 3.8's lemon; spec 7b, 1). It is convex. The discs belong to it, the surface of the arc does not; without the
 /// discs it bounds the same set. Faces are those of a cylinder.
 class Lemon {
 public:

@@ -15,7 +15,7 @@ using ovus_rule =
 
 scene::Shape sphere_at(double height, double radius) { return scene::Sphere{{0.0, height, 0.0}, radius}; }
 
-/// As POV-Ray 3.8 draws it (spec 7): the spheres' distance and the arc's radius are free.
+/// As POV-Ray 3.8 draws it (spec 7b, 2): the spheres' distance and the arc's radius are free.
 void make_shape(SolidReader& s, const Ovus& ovus)
 {
     const double b = ovus.bottom, t = ovus.top, apart = ovus.used_distance(), arc = ovus.used_radius();

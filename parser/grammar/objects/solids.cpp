@@ -235,7 +235,7 @@ void after_ends(SolidState& s, bool good)
     made.cap = made.base + glm::dvec3(0, 1, 0);
 }
 
-/// What a torus that crosses itself is, if that is said or POV-Ray 3.8 draws it (spec 7).
+/// What a torus that crosses itself is, if that is said or POV-Ray 3.8 draws it (spec 7b, 3).
 void after_torus(SolidState& s, bool)
 {
     using Spindle = scene::Torus::Spindle;

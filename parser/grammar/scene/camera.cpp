@@ -121,7 +121,7 @@ Functions read_ray_functions(CameraState& s, std::string_view name)
     s.build.close_block(name, opened);
     return all;
 }
-/// A vector, or functions where the camera is user_defined: what comes last counts (spec 7).
+/// A vector, or functions where the camera is user_defined: what comes last counts (spec 7b, 7).
 template <Kind word, glm::dvec3 scene::Camera::*Vector, Functions scene::UserCamera::*ByFunction>
 struct vector_or_functions : item<word, by_action<pegtl::sor<reads<ray_functions>, a_vector>>> {
     static void act(CameraState& s)
