@@ -3,6 +3,7 @@
 #include "csg/freeform/revolution/axis_rays.h"
 #include "csg/solids/shared/common.h"
 #include "csg/solids/shared/tube.h"
+#include "numbers/functions/functions.h"
 
 #include <bit>
 
@@ -11,7 +12,7 @@ namespace csg {
 double Lemon::least_arc(double base_radius, double cap_radius, double height)
 {
     const double middle = 0.5 * (height + (cap_radius - base_radius) * (cap_radius + base_radius) / height);
-    return std::hypot(base_radius, middle);
+    return numbers::hypot(base_radius, middle);
 }
 
 Lemon::Lemon(const glm::dvec3& base, double base_radius, const glm::dvec3& cap, double cap_radius, double arc,
@@ -20,7 +21,7 @@ Lemon::Lemon(const glm::dvec3& base, double base_radius, const glm::dvec3& cap, 
       radius_(base_radius), open_(open)
 {
     // The arc's middle lies on the line through that of the chord, across it, on the axis' side.
-    const double widening = cap_radius - base_radius, chord = std::hypot(widening, height_);
+    const double widening = cap_radius - base_radius, chord = numbers::hypot(widening, height_);
     const double away = std::sqrt(glm::max((arc - 0.5 * chord) * (arc + 0.5 * chord), 0.0)) / chord;
     offset_ = glm::max(away * height_ - 0.5 * (base_radius + cap_radius), 0.0);
     middle_ = 0.5 * height_ + away * widening;
@@ -64,7 +65,7 @@ void Lemon::approach(const P& o, const P& d, double way, V& end, const V& other,
 
 /// The part of a ray, or of a ray a lane, that lies inside.
 template <class P>
-lanes::TruthOf<P> Lemon::meet(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const
+lanes::TruthOf<P> Lemon::inside_of(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const
 {
     using V = lanes::NumberOf<P>;
     const P from = lanes::into(frame_, origin), turned = lanes::turned(frame_, way);
@@ -91,7 +92,7 @@ lanes::TruthOf<P> Lemon::meet(const P& origin, const P& way, EndsOf<lanes::Numbe
 void Lemon::intersect(const Ray& ray, IntersectionList& out) const
 {
     EndsOf<double> ends{};
-    if (!meet(ray.origin, ray.direction, ends)) return;
+    if (!inside_of(ray.origin, ray.direction, ends)) return;
     if (out.enter(ends.entry, static_cast<std::uint32_t>(ends.entry_face)))
         out.leave(ends.exit, static_cast<std::uint32_t>(ends.exit_face));
 }
@@ -103,7 +104,7 @@ void Lemon::intersect_many(std::span<const Ray> rays, IntersectionList* out) con
     for (std::size_t at = 0; at < rays.size(); at += AxisRays::kWide) {
         const std::size_t count = std::min(AxisRays::kWide, rays.size() - at);
         EndsOf<Double> ends{};
-        std::uint32_t met = lanes::mask(meet(local.origins(at), local.ways(at), ends)) & ((1u << count) - 1u);
+        std::uint32_t met = lanes::mask(inside_of(local.origins(at), local.ways(at), ends)) & ((1u << count) - 1u);
         alignas(64) std::array<double, AxisRays::kWide> entry, exit, entry_face, exit_face;
         lanes::store(ends.entry, entry.data());
         lanes::store(ends.exit, exit.data());
@@ -130,7 +131,7 @@ glm::dvec3 Lemon::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
     if (face == kLowEnd || face == kHighEnd) return frame_.normal({0.0, 0.0, face == kLowEnd ? -1.0 : 1.0});
     const glm::dvec3 l = frame_.inverse_point(p);
-    const double rho = std::hypot(l.x, l.y), stretch = rho > 0.0 ? 1.0 + offset_ / rho : 0.0;
+    const double rho = numbers::hypot(l.x, l.y), stretch = rho > 0.0 ? 1.0 + offset_ / rho : 0.0;
     return frame_.normal({l.x * stretch, l.y * stretch, l.z + 0.5 * height_ - middle_});
 }
 

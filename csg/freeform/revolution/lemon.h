@@ -7,8 +7,8 @@
 namespace csg {
 
 /// An arc turned about the line between its ends' middles, between two discs: a part of a spindle torus's inner sheet
-/// (POV-Ray 3.8's lemon; spec 7b, 1). It is convex. The discs belong to it, the surface of the arc does not; without the
-/// discs it bounds the same set. Faces are those of a cylinder.
+/// (POV-Ray 3.8's lemon; spec 7b, 1). It is convex. The discs belong to it, the surface of the arc does not; without
+/// the discs it bounds the same set. Faces are those of a cylinder.
 class Lemon {
 public:
     /// The middles must differ, radii must not be negative; `arc` is the arc's radius, at least least_arc().
@@ -30,7 +30,7 @@ public:
 
 private:
     template <class P>
-    lanes::TruthOf<P> meet(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const;
+    lanes::TruthOf<P> inside_of(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const;
     template <class P, class V>
     void beyond(const P& o, const P& d, const V& t, V& value, V& slope) const;
     template <class P, class V>

@@ -1,5 +1,7 @@
 #include "csg/freeform/revolution/spindle_torus.h"
 
+#include "numbers/functions/functions.h"
+
 namespace csg {
 
 void SpindleTorus::intersect(const Ray& ray, IntersectionList& out) const
@@ -40,14 +42,14 @@ bool SpindleTorus::in_spindle(double rho, double y) const
 
 bool SpindleTorus::contains(const glm::dvec3& p) const
 {
-    const double rho = std::hypot(p.x, p.z);
+    const double rho = numbers::hypot(p.x, p.z);
     if (spindle_ == Spindle::Intersection) return in_spindle(rho, p.y);
     return torus_.contains(p) && !(spindle_ == Spindle::Difference && in_spindle(rho, p.y));
 }
 
 glm::dvec3 SpindleTorus::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
-    const double rho = std::hypot(p.x, p.z), away = face == kInner ? torus_.major : -torus_.major;
+    const double rho = numbers::hypot(p.x, p.z), away = face == kInner ? torus_.major : -torus_.major;
     const double stretch = rho > 0.0 ? 1.0 + away / rho : 0.0;
     return {p.x * stretch, p.y, p.z * stretch};
 }

@@ -6,8 +6,8 @@
 namespace csg {
 
 /// A torus about y whose minor radius is the larger, so that its inner sheet bounds a spindle, as POV-Ray 3.8 draws it
-/// (spec 7b, 3): what the spindle is to the solid is chosen, and normals of the inner sheet are those of that sheet. Faces:
-/// 0 the outer sheet, 1 the inner one. It holds its surface, its inverse does not.
+/// (spec 7b, 3): what the spindle is to the solid is chosen, and normals of the inner sheet are those of that sheet.
+/// Faces: 0 the outer sheet, 1 the inner one. It holds its surface, its inverse does not.
 class SpindleTorus {
 public:
     /// Union: the spindle is inside and its sheet drawn. Merge: the sheet is not drawn. Difference: the spindle is

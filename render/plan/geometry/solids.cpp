@@ -160,8 +160,7 @@ csg::SpindleTorus spindle_torus(const scene::Torus& torus)
     return {torus.major, torus.minor, kSpindles[static_cast<std::size_t>(torus.spindle)]};
 }
 
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface,
-                       bool sides_by_order)
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface, bool sides_by_order)
 {
     return std::visit(ToWorld{to_world, on_surface, sides_by_order}, shape);
 }
