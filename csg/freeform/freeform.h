@@ -7,10 +7,12 @@
 #include "csg/freeform/field/isosurface.h"
 #include "csg/freeform/field/julia.h"
 #include "csg/freeform/revolution/lathe.h"
+#include "csg/freeform/revolution/lemon.h"
 #include "csg/freeform/revolution/ovus.h"
 #include "csg/freeform/surface/parametric.h"
 #include "csg/freeform/surface/polygon.h"
 #include "csg/freeform/revolution/sor.h"
+#include "csg/freeform/revolution/spindle_torus.h"
 #include "csg/freeform/sweep/sphere_sweep.h"
 #include "csg/freeform/surface/superellipsoid.h"
 
@@ -28,8 +30,8 @@ class ShapeMadeLater;
 /// into every query. Each shape lives in its own space. A new one is a file in freeform/, a name in this list and its
 /// grammar (README.md).
 struct FreeformShape {
-    std::variant<BicubicPatch, Blob, ConicPrism, HeightField, Isosurface, Julia, Lathe, Ovus, Parametric, Polygon, Sor,
-                 SphereSweep, Superellipsoid>
+    std::variant<BicubicPatch, Blob, ConicPrism, HeightField, Isosurface, Julia, Lathe, Lemon, Ovus, Parametric,
+                 Polygon, Sor, SphereSweep, SpindleTorus, Superellipsoid>
         kind;
     /// Set for a shape that is costly to make: a description may be copied often, or never be drawn. `kind` then holds
     /// only what the shape was described by.

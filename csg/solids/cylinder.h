@@ -3,24 +3,9 @@
 #include "csg/base/points.h"
 #include "csg/solids/shared/common.h"
 #include "csg/solids/shared/slab.h"
+#include "csg/solids/shared/tube.h"
 
 namespace csg {
-
-/// Faces of cylinders and cones.
-enum TubeFace : std::uint32_t { kSide, kLowEnd, kHighEnd };
-
-/// Of what slab() has found between the ends of a cylinder or cone. The side is face 0, as Interval has it.
-template <class I>
-inline void name_ends(bool open, I& ends)
-{
-    using Face = decltype(ends.entry_face);
-    ends.entry_face = open ? Face(kUndrawnFace) : ends.entry_face + Face(kLowEnd);
-    ends.exit_face = open ? Face(kUndrawnFace) : ends.exit_face + Face(kLowEnd);
-}
-
-/// Frame of cylinders, cones and discs: scale (across, across, along), local z turned to `axis` about the shortest way
-/// and moved to `base` (spec 5a, 3.3). `axis` has unit length.
-Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along);
 
 /// Radius 1 about z from z = 0 to z = 1, in its own frame. Without ends when open, but it bounds the same set. Closed
 /// ones leave their surface out, open ones hold it (spec 5a, 2.4).

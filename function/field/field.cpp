@@ -49,15 +49,18 @@ bool is_polynomial_of_space(const Function& f)
 void use(const Evaluators& evaluators) { current = evaluators; }
 const Evaluators& in_use() { return current; }
 
-FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host)
+FunctionField::FunctionField(FunctionPtr function, std::shared_ptr<const Host> host, bool negated)
     : function_(std::move(function)), host_(host ? std::move(host) : lone_host()), ranged_(narrows(*function_)),
-      polynomial_(ranged_ && is_polynomial_of_space(*function_)), rounded_box_(rounded_box_of(*function_))
-{}
+      polynomial_(ranged_ && is_polynomial_of_space(*function_)), negated_(negated)
+{
+    if (!negated) rounded_box_ = rounded_box_of(*function_);
+}
 
 double FunctionField::value(const glm::dvec3& p) const
 {
     const double arguments[kCoordinates] = {p.x, p.y, p.z};
-    return current.one(*function_, arguments, *host_);
+    const double value = current.one(*function_, arguments, *host_);
+    return negated_ ? -value : value;
 }
 
 void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
@@ -65,6 +68,8 @@ void FunctionField::values(const csg::EightPoints& p, csg::Eight& out) const
     const double* const arguments[kCoordinates] = {p.x.v, p.y.v, p.z.v};
     double* const values = out.v;
     current.lanes(*function_, arguments, kLanes, *host_, 1, &values);
+    if (negated_)
+        for (double& v : out.v) v = -v;
 }
 
 void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) const
@@ -76,11 +81,18 @@ void FunctionField::ranges(const csg::EightBoxes& boxes, csg::EightRanges& out) 
         copy(sides[i]->high, high[i]);
     }
     current.intervals(*function_, low, high, *host_, out.low.v, out.high.v);
+    for (std::size_t i = 0; negated_ && i < kLanes; ++i) {
+        const double lowest = -out.high.v[i];
+        out.high.v[i] = -out.low.v[i];
+        out.low.v[i] = lowest;
+    }
 }
 
 bool FunctionField::along(const csg::FieldStretch& stretch, csg::FieldPolynomial& out) const
 {
-    return polynomial_ && current.along(*function_, stretch, out);
+    if (!polynomial_ || !current.along(*function_, stretch, out)) return false;
+    for (double& c : out.c) c = negated_ ? -c : c;
+    return true;
 }
 
 }  // namespace function

@@ -27,7 +27,8 @@ const Evaluators& in_use();
 class FunctionField final : public csg::Field {
 public:
     /// Of at most three parameters. `host` answers what the function asks of the scene; it must be linked by then.
-    explicit FunctionField(FunctionPtr function, std::shared_ptr<const Host> host = nullptr);
+    /// `negated`: its values with the other sign.
+    explicit FunctionField(FunctionPtr function, std::shared_ptr<const Host> host = nullptr, bool negated = false);
 
     double value(const glm::dvec3& p) const override;
     void values(const csg::EightPoints& p, csg::Eight& out) const override;
@@ -38,11 +39,12 @@ public:
     const csg::RoundedBox* rounded_box() const override { return rounded_box_ ? &*rounded_box_ : nullptr; }
 
     const FunctionPtr& function() const { return function_; }
+    bool negated() const { return negated_; }
 
 private:
     FunctionPtr function_;
     std::shared_ptr<const Host> host_;
-    bool ranged_, polynomial_;
+    bool ranged_, polynomial_, negated_;
     std::optional<csg::RoundedBox> rounded_box_;
 };
 

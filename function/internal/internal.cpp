@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::uint8_t, kInternals> kParameters = {
     5, 5, 5, 5, 2, 2, 5, 4, 2, 1,  4, 1, 1, 1, 1, 6, 6, 3, 1, 4,  3, 6, 1, 1, 10, 7, 7, 1, 1, 6,
     1, 3, 4, 3, 6, 1, 1, 4, 1, 6,  5, 1, 1, 1, 4, 1, 3, 0, 1, 1,  7, 5, 6, 1, 1, 1, 3, 0, 6, 6,
-    4, 1, 5, 4, 6, 1, 4, 7, 2, 0,  2, 3, 1, 1, 2, 6, 0, 0, 1,
+    4, 1, 5, 4, 6, 1, 4, 7, 2, 0,  2, 3, 1, 1, 2, 6, 0, 0, 1, 1,
 };
 // clang-format on
 
@@ -37,7 +37,8 @@ double internal(std::uint32_t n, const double* a, const Host& host, const double
     case 19:
     case 32: return ellipsoids(n, a);
     case 17: return ellipsoid(a);
-    case 18: return enneper(a);
+    case kEnneper: return enneper(a);
+    case kWholeEnneper: return whole_enneper(a);
     case 24: return helical_torus(a);
     case 25: return helix1(a);
     case 26: return helix2(a);

@@ -7,7 +7,9 @@
 /// The library behind `function { internal(n) }` (spec 5b, 16): formulas of functions.inc.
 namespace function {
 
-inline constexpr std::uint32_t kInternals = 79;
+inline constexpr std::uint32_t kInternals = 80;
+/// So many have a number that a scene may name; the others stand for one of them as POV-Ray 3.8 evaluates it.
+inline constexpr std::uint32_t kNumbered = 79, kEnneper = 18, kWholeEnneper = 79;
 
 /// Parameters besides x, y, z; n < kInternals.
 std::uint32_t internal_parameters(std::uint32_t n);

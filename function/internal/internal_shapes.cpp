@@ -89,6 +89,14 @@ double enneper(const double* a)
     return field_limit(-a[3] * (first * first * first - 6.0 * second * second));
 }
 
+double whole_enneper(const double* a)
+{
+    const double x2 = a[0] * a[0], y2 = a[1] * a[1], z2 = a[2] * a[2], z = std::abs(a[2]) < 0.2 ? 0.2 : a[2];
+    const double first = (y2 - x2) / (2.0 * z) + 2.0 * z2 / 9.0 + 2.0 / 3.0;
+    const double second = (y2 - x2) / (4.0 * z) - 0.25 * (x2 + y2 + 8.0 * z2 / 9.0) + 2.0 / 9.0;
+    return field_limit(-a[3] * (first * first * first - 6.0 * second * second));
+}
+
 double helical_torus(const double* a)
 {
     const double* p = a + 3;

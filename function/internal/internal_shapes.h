@@ -13,6 +13,8 @@ double comma(const double* a);
 double ellipsoids(std::uint32_t n, const double* a);  ///< 10 crossed, 19 flange cover, 32 intersection
 double ellipsoid(const double* a);
 double enneper(const double* a);
+/// With the terms of the surface's equation that POV-Ray 3.7 leaves out (spec 7c, 9).
+double whole_enneper(const double* a);
 double helical_torus(const double* a);
 double helix1(const double* a);
 double helix2(const double* a);

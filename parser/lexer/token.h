@@ -93,6 +93,12 @@ public:
     Names();
     std::uint32_t intern(std::string_view word);
     const std::string& word(std::uint32_t name) const { return words_[name]; }
+    /// kNoIndex: it has not been seen.
+    std::uint32_t find(std::string_view word) const
+    {
+        const auto found = index_.find(word);
+        return found == index_.end() ? kNoIndex : found->second;
+    }
     /// As it is lexed: of a word that only POV-Ray 3.8 reserves Identifier, for a scene may have it as a name.
     Kind kind(std::uint32_t name) const
     {

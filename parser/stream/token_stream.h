@@ -113,6 +113,12 @@ public:
     const std::string& word(const Token& token) const { return names_.word(token.name); }
     /// What an Identifier token means; null if undeclared. Copy what you need before the next peek().
     const Value* value_of(const Token& token) const { return symbols_.find(token.name); }
+    /// Of a name that a text holds; null: nothing of that name is declared.
+    const Value* value_of(std::string_view name) const
+    {
+        const std::uint32_t known = names_.find(name);
+        return known == kNoIndex ? nullptr : symbols_.find(known);
+    }
     /// If the next token is an identifier (or array element) holding a T: takes it and gives the content, else nothing
     /// is taken. Array subscripts are read: `texture { T[2] }`.
     template <class T>

@@ -8,16 +8,16 @@
 namespace font {
 namespace {
 
-FontFile* open_font(const std::string& path, bool unicode)
+FontFile* open_font(const std::string& path, const CharacterMap& map)
 {
     static const auto open = reinterpret_cast<OpenFont>(image::module_entry(kFontModule, kFontEntry));
-    return open(path, unicode);
+    return open(path, map);
 }
 
 }  // namespace
 
 struct Fonts::Opened {
-    Opened(const std::string& path, bool unicode) : file(open_font(path, unicode)), kerns(file->kerns()) {}
+    Opened(const std::string& path, const CharacterMap& map) : file(open_font(path, map)), kerns(file->kerns()) {}
 
     /// In ems.
     struct Measured {
@@ -61,10 +61,10 @@ Fonts::Fonts() = default;
 Fonts::~Fonts() = default;
 
 std::vector<Glyph> Fonts::lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset,
-                                  bool unicode)
+                                  const CharacterMap& map)
 {
-    std::unique_ptr<Opened>& opened = opened_[{path, unicode}];
-    if (!opened) opened = std::make_unique<Opened>(path, unicode);
+    std::unique_ptr<Opened>& opened = opened_[{path, map}];
+    if (!opened) opened = std::make_unique<Opened>(path, map);
     std::vector<Glyph> out;
     glm::dvec2 pen(0.0);
     std::uint32_t before = 0;
@@ -88,9 +88,10 @@ std::vector<Glyph> Fonts::lay_out(const std::string& path, const std::u16string&
     return out;
 }
 
-std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset, bool unicode)
+std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset,
+                           const CharacterMap& map)
 {
-    return Fonts().lay_out(path, text, offset, unicode);
+    return Fonts().lay_out(path, text, offset, map);
 }
 
 }  // namespace font

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/solids/shared/outline_shape.h"
+#include "render/font/font_file.h"
 
 #include <map>
 #include <memory>
@@ -25,19 +26,19 @@ public:
 
     /// The same as font::lay_out().
     std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset,
-                               bool unicode);
+                               const CharacterMap& map);
     /// Outlines made so far.
     std::size_t outlines() const { return outlines_; }
 
 private:
     struct Opened;
-    std::map<std::pair<std::string, bool>, std::unique_ptr<Opened>> opened_;  ///< by path and `unicode`
+    std::map<std::pair<std::string, CharacterMap>, std::unique_ptr<Opened>> opened_;  ///< by path and table
     std::size_t outlines_ = 0;
 };
 
 /// The characters of a text that have an outline, in its order (spec 5b, 11.1 to 11.3). `offset` is added behind every
-/// character. `unicode`: codes are looked up in the font's Unicode table first, else in its Macintosh table.
-/// Throws std::runtime_error where the file is no font that can be read.
-std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset, bool unicode);
+/// character. Throws std::runtime_error where the file is no font that can be read, or has no such table.
+std::vector<Glyph> lay_out(const std::string& path, const std::u16string& text, const glm::dvec2& offset,
+                           const CharacterMap& map);
 
 }  // namespace font

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -54,14 +55,15 @@ void add_contour(const FT_Outline& outline, int first, int last, double scale, s
 
 class Face final : public font::FontFile {
 public:
-    Face(const std::string& path, bool unicode)
+    Face(const std::string& path, const font::CharacterMap& map)
     {
         if (FT_New_Face(library_.get(), path.c_str(), 0, &face_) != 0 ||
             (face_->face_flags & FT_FACE_FLAG_SCALABLE) == 0) {
             if (face_ != nullptr) FT_Done_Face(face_);
             throw std::runtime_error("this is no TrueType font");
         }
-        choose_codes(unicode ? std::array{0, 3, 1, 3} : std::array{1, 3, 0, 3});
+        if (map.platform >= 0) choose_table(map.platform, map.encoding);
+        else choose_codes(map.unicode ? std::array{0, 3, 1, 3} : std::array{1, 3, 0, 3});
     }
     ~Face() override { FT_Done_Face(face_); }
     Face(const Face&) = delete;
@@ -102,6 +104,19 @@ private:
     double scale() const { return 1.0 / static_cast<double>(face_->units_per_EM); }
 
     /// The table of codes: the first of the platforms, in this order, whose form POV-Ray reads.
+    void choose_table(int platform, int encoding)
+    {
+        for (int i = 0; i < face_->num_charmaps; ++i) {
+            const FT_CharMap map = face_->charmaps[i];
+            if (map->platform_id != platform || map->encoding_id != encoding) continue;
+            wide_ = FT_Get_CMap_Format(map) == 4;
+            FT_Set_Charmap(face_, map);
+            return;
+        }
+        FT_Done_Face(face_);
+        throw std::runtime_error("this font has no character map { " + std::to_string(platform) + ", " +
+                                 std::to_string(encoding) + " }");
+    }
     void choose_codes(const std::array<int, 4>& platforms)
     {
         for (const int platform : platforms)
@@ -122,7 +137,8 @@ private:
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) font::FontFile* whittle_fonts(const std::string& path, bool unicode)
+extern "C" __attribute__((visibility("default"))) font::FontFile* whittle_fonts(const std::string& path,
+                                                                                const font::CharacterMap& map)
 {
-    return new Face(path, unicode);
+    return new Face(path, map);
 }

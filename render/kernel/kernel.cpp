@@ -41,7 +41,7 @@ public:
     BlockTracer(const plan::CompiledScene& scene, const IndirectLight* indirect, const std::atomic<bool>* cancel)
         : scene_(scene), world_(scene.world()),
           camera_(scene.camera, scene.options.width, scene.options.height,
-                  {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
+                  {scene.mesh_camera.get(), &scene.textures, scene.camera_normal, scene.camera_functions}),
           blur_(scene.camera, scene.textures, scene.bokeh), starts_(scene), context_(scene, scratch_, indirect)
     {
         scratch_.geometry.cancel = csg::CancelWatch(cancel);

@@ -81,7 +81,9 @@ V attenuation(const Light& light, const P& point, const P& direction, const V& d
     V factor(1.0);
     if (light.kind == Light::Kind::Spot) factor = spot(light, direction, distance, asked);
     if (light.kind == Light::Kind::Cylinder) factor = cylinder<V>(light, point, asked);
-    if (!(light.fade_power > 0.0) || std::abs(light.fade_distance) <= kLeastFadeDistance) return factor;
+    if (!(light.fade_power > 0.0)) return factor;
+    if (light.fades_from_start) return factor / raised(distance, light.fade_power, asked);
+    if (std::abs(light.fade_distance) <= kLeastFadeDistance) return factor;
     const V ways = distance / V(light.fade_distance);
     const V left = factor * (V(2.0) / (V(1.0) + raised(ways, light.fade_power, asked)));
     return choose(factor > V(0.0), left, factor);

@@ -26,7 +26,8 @@ struct Light {
     double radius = 0, falloff = 0;          ///< Cylinder: lengths
     double tightness = 0;
     double fade_distance = 0, fade_power = 0;  ///< fade_power 0: no fading
-    glm::dvec3 axis1{0}, axis2{0};             ///< area light: edges
+    bool fades_from_start = false;  ///< POV-Ray 3.8, where fade_distance is 0: one over the distance to the power
+    glm::dvec3 axis1{0}, axis2{0};  ///< area light: edges
     int size1 = 1, size2 = 1, adaptive = 100;
     std::shared_ptr<const Projector> projector;  ///< projected_through; null: nothing
 

@@ -41,6 +41,10 @@ void find_start_holders(CompiledScene& scene)
 csg::Aabb camera_starts(const scene::Camera& camera, const MeshCamera* mesh)
 {
     csg::Aabb box;
+    if (camera.functions && camera.functions->location[0]) {
+        constexpr double kAnywhere = 1e7;  // as far as POV-Ray draws anything
+        return {glm::dvec3(-kAnywhere), glm::dvec3(kAnywhere)};
+    }
     if (mesh != nullptr) {
         for (const MeshCamera::Ray& ray : mesh->faces) box.include(ray.origin);
         for (const MeshCamera::Corners& corners : mesh->corners)

@@ -12,6 +12,7 @@ inline bool starts_differ(const scene::Camera& camera)
 {
     using Kind = scene::Camera::Kind;
     if (blurred(camera) || camera.kind == Kind::Orthographic || camera.kind == Kind::Mesh) return true;
+    if (camera.functions && camera.functions->location[0]) return true;
     return camera.kind == Kind::Cylinder && camera.cylinder_type >= 3;
 }
 

@@ -121,8 +121,10 @@ struct CompiledScene {
     scene::Camera camera;
     std::shared_ptr<const MeshCamera> mesh_camera;  ///< null for other cameras
     std::uint32_t camera_normal = kNone;            ///< index into textures.normals
-    std::uint32_t bokeh = kNone;                    ///< index into textures.pigments: the shape of points out of focus
-    std::shared_ptr<const PhotonPlan> photons;      ///< null: none are shot or read
+    /// Indices into textures.functions: a place's location, then its direction; kNone: the camera's vector.
+    std::array<std::uint32_t, 6> camera_functions{kNone, kNone, kNone, kNone, kNone, kNone};
+    std::uint32_t bokeh = kNone;                ///< index into textures.pigments: the shape of points out of focus
+    std::shared_ptr<const PhotonPlan> photons;  ///< null: none are shot or read
     std::shared_ptr<const SubsurfacePlan> subsurface;  ///< null: finishes with `subsurface` are ordinary ones
     Settings settings;
     Options options;

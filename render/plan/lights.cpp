@@ -2,6 +2,7 @@
 
 #include "csg/items/depth_range.h"
 #include "numbers/functions/functions.h"
+#include "render/light/attenuation.h"
 #include "render/plan/probe.h"
 
 #include <numbers>
@@ -60,7 +61,8 @@ struct ProjectingObject final : light::Projector {
 
 }  // namespace
 
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality)
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality,
+                           scene::PovRay povray)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     light::Light out;
@@ -93,6 +95,8 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.tightness = description.tightness;
     out.fade_distance = description.fade_distance;
     out.fade_power = description.fade_power;
+    out.fades_from_start = povray == scene::PovRay::V38 && out.fade_power > 0.0 &&
+                           std::abs(out.fade_distance) <= light::kLeastFadeDistance;
     out.area = description.area && quality.area_lights;
     out.area_illumination = out.area && description.area_illumination;
     out.circular = description.circular || description.orient;

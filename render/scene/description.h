@@ -8,6 +8,7 @@
 #include "render/scene/mesh_camera.h"
 #include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"
+#include "render/scene/user_camera.h"
 
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ struct Camera {
         Panoramic,
         Cylinder,
         Spherical,
-        Mesh
+        Mesh,
+        UserDefined
     };
     Kind kind = Kind::Perspective;
     int cylinder_type = 1;
@@ -42,6 +44,7 @@ struct Camera {
     double aperture = 0, focal_distance = 0, confidence = 0.9, variance = 1.0 / 128.0;
     int blur_samples = 0, blur_fewest = 0;  ///< at most and at least, a sample of the picture
     std::shared_ptr<const MeshCamera> mesh;
+    std::shared_ptr<const UserCamera> functions;
     std::optional<Normal> normal;  ///< bends the rays
     std::optional<Bokeh> bokeh;
     SourceRef source;

@@ -57,9 +57,14 @@ struct Cone {
     double cap_radius = 0;
     bool open = false;
 };
+/// Axis y.
 struct Torus {
+    /// What the part is that a torus whose minor radius is the larger crosses itself in. Usual: as POV-Ray 3.7 draws
+    /// it, whose normals of the inner sheet are not those of a union.
+    enum class Spindle : std::uint8_t { Usual, Union, Merge, Difference, Intersection };
     double major = 1, minor = 0.25;
-};  ///< axis y
+    Spindle spindle = Spindle::Usual;
+};
 /// A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0: square <A,B,C>, mixed <D,E,F>, linear
 /// <G,H,I>.
 struct Quadric {

@@ -6,6 +6,7 @@
 #include "render/scene/solids/isosurface.h"
 #include "render/scene/solids/julia_fractal.h"
 #include "render/scene/solids/lathe.h"
+#include "render/scene/solids/lemon.h"
 #include "render/scene/solids/ovus.h"
 #include "render/scene/solids/parametric.h"
 #include "render/scene/solids/polygon.h"
@@ -49,7 +50,7 @@ using SolidList = std::variant<Solids...>;
 /// Every solid of the kind, in the order of their names: a new one is a line here and the #include of its file. Its
 /// grammar is parser/grammar/core/solid_reader.h's read_solid(); docs/extending.md shows one from end to end.
 using AnySolid = SolidList<BicubicPatch, Blob, HeightField, Isosurface, JuliaFractal, Lathe, Ovus, Parametric, Polygon,
-                           PolynomialSurface, Prism, Sor, SphereSweep, Superellipsoid, Text>;
+                           PolynomialSurface, Prism, Sor, SphereSweep, Superellipsoid, Text, Lemon>;
 
 /// A solid as it was given; Object::shape is what is drawn of it.
 struct WrittenSolid {

@@ -43,7 +43,7 @@ Julia::Julia(const JuliaTerms& terms) : terms_(terms), step_(1.0 / terms.precisi
 glm::dvec4 Julia::plain_start(const glm::dvec3& p) const
 {
     glm::dvec4 q = lifted(p);
-    if (terms_.function > Function::Reciprocal) q.z = q.y;
+    if (terms_.extruded && terms_.function > Function::Reciprocal) q.z = q.y;
     return q;
 }
 

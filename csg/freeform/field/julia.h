@@ -37,6 +37,8 @@ struct JuliaTerms {
     double precision = 20.0;               ///< at least 1: steps of a ray are no shorter than one part of so many
     glm::dvec4 slice{0.0, 0.0, 0.0, 1.0};  ///< normal of the slice through four dimensions; the last is not 0
     double slice_distance = 0.0;
+    /// Functions that are no polynomials: as POV-Ray 3.7 asks whether a point is inside (spec 5b, 12.1).
+    bool extruded = true;
     bool whole = false;  ///< rays of polynomials are told every crossing, no matter what the precision is
 };
 

@@ -111,7 +111,7 @@ private:
             });
         default:
             // As Julia::plain_start() has it.
-            for (int v = 0; v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
+            for (int v = 0; set_.terms_.extruded && v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
             return hypercomplex<V>(q, asked, stepping, [&](const Four& p, Four& rate) {
                 rate = julia::by_parts(set_.terms_.function, p, set_.terms_.exponent);
                 return Four{rate.x + cx, rate.y + cy, rate.z + cz, rate.w + cw};

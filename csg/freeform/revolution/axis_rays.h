@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/base/hit.h"
+#include "csg/base/points.h"
 #include "csg/freeform/shared/intersection_list.h"
 #include "csg/freeform/revolution/axis_ray.h"
 
@@ -34,12 +35,21 @@ public:
     }
     AxisRays at(std::size_t k) const
     {
-        const auto load = [&](const auto& of) { return AxisRays::Double::load_aligned(of.data() + k); };
-        return AxisRays({load(origin_[0]), load(origin_[1]), load(origin_[2])},
-                        {load(way_[0]), load(way_[1]), load(way_[2])});
+        const auto [x, y, z] = origins(k);
+        const auto [dx, dy, dz] = ways(k);
+        return AxisRays({x, y, z}, {dx, dy, dz});
     }
+    /// As many as there are lanes, from ray k on, a multiple of their number.
+    lanes::Points origins(std::size_t k) const { return load(origin_, k); }
+    lanes::Points ways(std::size_t k) const { return load(way_, k); }
 
 private:
+    static lanes::Points load(const std::array<std::array<double, kTileRays>, 3>& of, std::size_t k)
+    {
+        const auto row = [k](const auto& one) { return AxisRays::Double::load_aligned(one.data() + k); };
+        return {row(of[0]), row(of[1]), row(of[2])};
+    }
+
     alignas(64) std::array<std::array<double, kTileRays>, 3> origin_{}, way_{};
 };
 

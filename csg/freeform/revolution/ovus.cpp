@@ -24,7 +24,7 @@ bool in_sphere(const glm::dvec3& o, const glm::dvec3& e, const glm::dvec3& cente
 
 }  // namespace
 
-Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top)
+Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top), distance_(bottom)
 {
     const double b = bottom, t = top;
     if (t < b) {
@@ -40,6 +40,17 @@ Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top)
         low_ = -height_ * b / (arc_ - b);
         high_ = 2.0 * b - height_;
     }
+}
+
+/// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger.
+Ovus::Ovus(double bottom, double top, double distance, double arc)
+    : bottom_(bottom), top_(top), distance_(distance), arc_(arc)
+{
+    const double b = arc - bottom, t = arc - top;
+    height_ = ((b - t) * (b + t) / distance + distance) / 2.0;
+    offset_ = std::sqrt(glm::max((b - height_) * (b + height_), 0.0));
+    low_ = -height_ * bottom / b;
+    high_ = distance + (distance - height_) * top / t;
 }
 
 /// How far a point at parameter s lies outside of the arc, rho + offset - sqrt(arc^2 - (y - height)^2), is a convex
@@ -74,11 +85,11 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
 {
     const double length = std::sqrt(glm::dot(ray.direction, ray.direction));
     if (!(length > 0.0 && length < kInfinity)) return;
-    const glm::dvec3 e = ray.direction / length, middle(0.0, 0.5 * bottom_, 0.0);
+    const glm::dvec3 e = ray.direction / length, middle(0.0, 0.5 * distance_, 0.0);
     const double shift = -glm::dot(ray.origin - middle, e);
     const glm::dvec3 o = ray.origin + shift * e;  // near the middle
     double from = -kInfinity, to = kInfinity;
-    if (!in_sphere(o, e, middle, 1.5 * bottom_ + top_, from, to)) return;
+    if (!in_sphere(o, e, middle, bottom_ + 0.5 * distance_ + top_, from, to)) return;
 
     // Zone by zone, in the ray's order: the first that is met has the way in, the last the way out. A way in behind
     // `wanted` is enough where one crossing is; a little more, so that rounding cannot make it none.
@@ -94,7 +105,7 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
         const bool both = found.entry < kInfinity || !(a >= wanted);
         const bool met = face == kBetween ? between(o, e, a, b, both)
                          : face == kBelow ? in_sphere(o, e, glm::dvec3(0.0), bottom_, a, b)
-                                          : in_sphere(o, e, {0.0, bottom_, 0.0}, top_, a, b);
+                                          : in_sphere(o, e, {0.0, distance_, 0.0}, top_, a, b);
         if (!met) return false;
         if (a < found.entry) found.entry = a, found.entry_face = face;
         if (b > found.exit) found.exit = b, found.exit_face = face;
@@ -109,7 +120,7 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
 
 bool Ovus::contains(const glm::dvec3& p) const
 {
-    const double rho2 = p.x * p.x + p.z * p.z, over = p.y - bottom_;
+    const double rho2 = p.x * p.x + p.z * p.z, over = p.y - distance_;
     if (rho2 + p.y * p.y < bottom_ * bottom_ || rho2 + over * over < top_ * top_) return true;
     if (!(p.y > low_ && p.y < high_)) return false;
     const double rho = std::sqrt(rho2) + offset_, up = p.y - height_;
@@ -119,7 +130,7 @@ bool Ovus::contains(const glm::dvec3& p) const
 glm::dvec3 Ovus::gradient(const glm::dvec3& p, std::uint32_t face) const
 {
     if (face == kBelow) return p;
-    if (face == kAbove) return {p.x, p.y - bottom_, p.z};
+    if (face == kAbove) return {p.x, p.y - distance_, p.z};
     const double rho = std::sqrt(p.x * p.x + p.z * p.z), stretch = rho > 0.0 ? 1.0 + offset_ / rho : 0.0;
     return {p.x * stretch, p.y - height_, p.z * stretch};
 }
@@ -132,7 +143,7 @@ glm::dvec2 Ovus::uv(const glm::dvec3& p, std::uint32_t) const
 Aabb Ovus::bounds() const
 {
     const double widest = glm::max(arc_ - offset_, glm::max(bottom_, top_));
-    return {{-widest, -bottom_, -widest}, {widest, bottom_ + top_, widest}};
+    return {{-widest, -bottom_, -widest}, {widest, distance_ + top_, widest}};
 }
 
 }  // namespace csg

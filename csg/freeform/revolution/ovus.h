@@ -9,8 +9,12 @@ namespace csg {
 /// the sphere above, 2 between.
 class Ovus {
 public:
-    /// Radii; 0 <= top < 2 bottom.
+    /// Radii; 0 <= top < 2 bottom. The second sphere's middle is on the first one, and the arc's radius twice the
+    /// larger.
     Ovus(double bottom, double top);
+    /// With the distance of the spheres' middles, at least `bottom` and more than `top - bottom`, and the arc's radius,
+    /// more than half the sum of the three (POV-Ray 3.8).
+    Ovus(double bottom, double top, double distance, double arc);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
     bool contains(const glm::dvec3& p) const;
@@ -27,7 +31,7 @@ private:
 
     bool between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const;
 
-    double bottom_, top_;
+    double bottom_, top_, distance_;
     double arc_;  ///< radius of the arc: (rho + offset)^2 + (y - height)^2 = arc^2
     double offset_, height_;
     double low_, high_;  ///< heights between which it is used

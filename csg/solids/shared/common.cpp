@@ -1,4 +1,6 @@
 #include "csg/solids/shared/common.h"
+
+#include "csg/solids/shared/tube.h"
 #include "numbers/functions/functions.h"
 
 #include <numbers>
@@ -44,6 +46,25 @@ Aabb ellipsoid_box(const glm::dmat3& linear, const glm::dvec3& center)
     glm::dvec3 half(0.0);
     for (int i = 0; i < 3; ++i) half[i] = numbers::hypot(linear[0][i], linear[1][i], linear[2][i]);
     return {center - half, center + half};
+}
+
+Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along)
+{
+    // Rodrigues: z turned to the axis about k = (-axis_y, axis_x, 0); where that vanishes, about x (spec 5a, 3.3).
+    glm::dvec3 k(-axis.y, axis.x, 0.0);
+    double c = axis.z, s = std::sqrt(axis.x * axis.x + axis.y * axis.y);
+    if (std::abs(axis.z) > 1.0 - 1e-10) {
+        k = {1.0, 0.0, 0.0};
+        c = axis.z > 0.0 ? 1.0 : -1.0;
+        s = 0.0;
+    } else {
+        k /= s;
+    }
+    const glm::dmat3 cross({0, k.z, -k.y}, {-k.z, 0, k.x}, {k.y, -k.x, 0});
+    Transform turn;
+    turn.linear = glm::dmat3(c) + cross * s + glm::outerProduct(k, k) * (1.0 - c);
+    turn.inverse_linear = glm::transpose(turn.linear);
+    return Transform::translate(base) * (turn * Transform::scale({across, across, along}));
 }
 
 }  // namespace csg

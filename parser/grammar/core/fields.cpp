@@ -22,10 +22,10 @@ struct function_form {
 };
 
 /// Null: it wants more than a point.
-std::shared_ptr<const csg::Field> field_of(const function::FunctionPtr& function)
+std::shared_ptr<const csg::Field> field_of(const function::FunctionPtr& function, bool negated = false)
 {
     if (function->parameters > kCoordinates) return nullptr;
-    return std::make_shared<const function::FunctionField>(function);
+    return std::make_shared<const function::FunctionField>(function, nullptr, negated);
 }
 
 using scene::Container;
@@ -116,10 +116,10 @@ struct all_intersections : item<Kind::AllIntersections> {
 };
 using isosurface_rule =
     seq<field_function,
-        pegtl::star<
-            pegtl::sor<contained_by, evaluate, max_trace, all_intersections,
-                       member<Kind::Threshold, &Isosurface::threshold>, member<Kind::Accuracy, &Isosurface::accuracy>,
-                       member<Kind::MaxGradient, &Isosurface::max_gradient>, word<Kind::Open, &Isosurface::open>>>>;
+        pegtl::star<pegtl::sor<
+            contained_by, evaluate, max_trace, all_intersections, member<Kind::Threshold, &Isosurface::threshold>,
+            member<Kind::Accuracy, &Isosurface::accuracy>, member<Kind::MaxGradient, &Isosurface::max_gradient>,
+            word<Kind::Open, &Isosurface::open>, member<Kind::Polarity, &Isosurface::polarity>>>>;
 
 struct ParametricState : ParameterState<Parametric> {
     using ParameterState::ParameterState;
@@ -175,11 +175,12 @@ bool read_parameters(SolidReader& s, Isosurface& surface)
 {
     read_solid<isosurface_rule>(s, surface);
     csg::IsosurfaceTerms terms;
-    terms.field = field_of(surface.function);
+    const bool above = surface.polarity > 0.0;  // what is below the threshold's opposite, of the function's
+    terms.field = field_of(surface.function, above);
     if (!terms.field) return false;
     need_positive(s, "accuracy", surface.accuracy, Isosurface().accuracy);
     need_positive(s, "max_gradient", surface.max_gradient, Isosurface().max_gradient);
-    terms.threshold = surface.threshold;
+    terms.threshold = above ? -surface.threshold : surface.threshold;
     terms.accuracy = surface.accuracy;
     terms.max_gradient = surface.max_gradient;
     terms.container = container_of(surface.container);

@@ -57,6 +57,10 @@ struct MeshState : BlockState {
     }
 };
 
+/// Behind `obj`: the file's name and what its materials are; adds its triangles (model_meshes.cpp).
+void read_obj_mesh(MeshState& s);
+Form obj_mesh_form();
+
 struct Indices {
     std::array<std::uint32_t, 3> at;
     std::array<std::uint32_t, 3> texture;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 /// Characters as solids (reference manual: Text).
@@ -35,8 +36,30 @@ struct font_of_text : taker<font_of_text>, always {
         return form_of<pegtl::sor<seq<token<Kind::Ttf>, a_text>, seq<token<Kind::Internal>, a_number>>>();
     }
 };
-using text_rule =
-    seq<font_of_text, opt_comma, values<&scene::Text::characters, &scene::Text::thickness, &scene::Text::offset>>;
+/// cmap { platform, encoding }: words of POV-Ray's development after 3.8's beta.
+struct cmap_of_text : taker<cmap_of_text>, always {
+    static bool take(TokenStream& in, ParameterState<scene::Text>& s)
+    {
+        if (!in.accept(Kind::Cmap)) return true;
+        const scene::SourceRef opened = s.build.open_block("cmap");
+        glm::dvec2& map = s.solid.cmap.emplace();
+        map.x = number(in);
+        in.accept_comma();
+        map.y = number(in);
+        for (const double one : {map.x, map.y})
+            if (!(one >= 0.0 && one < 65536.0 && one == std::floor(one)))
+                s.fail("a character map is two whole numbers, a platform's and an encoding's");
+        s.build.close_block("cmap", opened);
+        return true;
+    }
+    static Form form()
+    {
+        return Form::optional(
+            Form::sequence({Form::token(Kind::Cmap), Form::braces({form_of<seq<a_number, opt_comma, a_number>>()})}));
+    }
+};
+using text_rule = seq<font_of_text, cmap_of_text, opt_comma,
+                      values<&scene::Text::characters, &scene::Text::thickness, &scene::Text::offset>>;
 
 /// POV-Ray's own faces are files of the package (spec 5b, 11).
 std::string font_path(SolidReader& s, const scene::Text& text)
@@ -53,10 +76,13 @@ std::string font_path(SolidReader& s, const scene::Text& text)
 scene::Csg shape_of(SolidReader& s, const scene::Text& text)
 {
     const bool unicode = s.in().language().charset != Charset::Ascii;
+    const font::CharacterMap map =
+        text.cmap ? font::CharacterMap(static_cast<int>(text.cmap->x), static_cast<int>(text.cmap->y))
+                  : font::CharacterMap(unicode);
     const auto file = font_path(s, text);
     std::vector<font::Glyph> glyphs;
     try {
-        glyphs = s.build.fonts.lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, unicode);
+        glyphs = s.build.fonts.lay_out(file, units_of(text.characters), {text.offset.x, text.offset.y}, map);
     } catch (const std::runtime_error& error) {
         s.in().fail(s.source(), error.what());
     }

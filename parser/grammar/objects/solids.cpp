@@ -109,6 +109,8 @@ struct major_radius : seq<a_number> {};
 struct minor_radius : seq<opt_comma, a_number> {};
 struct torus : seq<must<major_radius>, must<minor_radius>> {};
 
+using spindle_word = any_token<Kind::Difference, Kind::Intersection, Kind::Merge, Kind::Union>;
+
 struct square_terms : seq<a_vector> {};
 struct mixed_terms : seq<opt_comma, a_vector> {};
 struct linear_terms : seq<opt_comma, a_vector> {};
@@ -233,6 +235,28 @@ void after_ends(SolidState& s, bool good)
     made.cap = made.base + glm::dvec3(0, 1, 0);
 }
 
+/// What a torus that crosses itself is, if that is said or POV-Ray 3.8 draws it (spec 7c, 3).
+void after_torus(SolidState& s, bool)
+{
+    using Spindle = scene::Torus::Spindle;
+    auto& torus = std::get<scene::Torus>(s.object.shape);
+    TokenStream& in = s.stream();
+    const bool new_rules = in.povray() == scene::PovRay::V38;
+    if (in.accept(Kind::Difference)) torus.spindle = Spindle::Difference;
+    else if (in.accept(Kind::Intersection)) torus.spindle = Spindle::Intersection;
+    else if (in.accept(Kind::Merge)) torus.spindle = Spindle::Merge;
+    else if (in.accept(Kind::Union) || new_rules) torus.spindle = Spindle::Union;
+    if (new_rules)
+        for (double* const radius : {&torus.major, &torus.minor}) {
+            if (!(*radius < 0.0)) continue;
+            in.warn(s.object.source, "a negative radius inverts a torus in POV-Ray 3.8");
+            *radius = -*radius;
+            s.object.inverse = !s.object.inverse;
+        }
+    if (torus.spindle == Spindle::Intersection && !(torus.minor > torus.major))
+        in.warn(s.object.source, "nothing is inside of this torus: it does not cross itself");
+}
+
 void after_disc(SolidState& s, bool)
 {
     s.stream().accept_comma();
@@ -260,7 +284,7 @@ constexpr SolidEntry kSolids[] = {
     entry<plane>(Kind::Plane, set_plane, false, after_plane),
     entry<cylinder>(Kind::Cylinder, set_cylinder, true, after_ends<scene::Cylinder>),
     entry<cone>(Kind::Cone, set_cone, true, after_ends<scene::Cone>),
-    entry<torus>(Kind::Torus, set_torus),
+    entry<torus>(Kind::Torus, set_torus, false, after_torus),
     entry<quadric>(Kind::Quadric, set_quadric),
     entry<disc>(Kind::Disc, set_disc, false, after_disc),
     entry<triangle>(Kind::Triangle, set_triangle, false, after_triangle),
@@ -296,7 +320,8 @@ std::vector<Form> solids_of_numbers()
     for (const SolidEntry& one : kSolids) {
         Form head = one.head();
         if (one.form.may_be_open) head = Form::sequence({std::move(head), form_of<opt<token<Kind::Open>>>()});
-        if (one.form.keyword == Kind::Torus) head = Form::sequence({std::move(head), form_of<sturms>()});
+        if (one.form.keyword == Kind::Torus)
+            head = Form::sequence({std::move(head), form_of<opt<spindle_word>>(), form_of<sturms>()});
         if (one.form.keyword == Kind::Disc)
             head = Form::sequence({std::move(head), form_of<opt_comma>(), form_of<opt<a_number>>()});
         all.push_back(solid_form(one.form.keyword, std::move(head)));

@@ -98,6 +98,8 @@ bool RecipeReader::object(ObjectRecipe& out)
     out.keyword = tokens_.kind();
     if (out.keyword == Kind::Identifier) return name<DeclaredObject>(out.name);
     out.solid = solid_form(out.keyword);
+    if (out.keyword == Kind::Torus && build_.stream().povray() == scene::PovRay::V38)
+        return false;  // more is asked of it than its numbers
     const bool csg_word = is_csg(out.keyword);
     if (!out.solid && !csg_word && out.keyword != Kind::Object) return false;
     tokens_.take();

@@ -1,6 +1,7 @@
 #include "numbers/functions/functions.h"
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/core/rules.h"
+#include "parser/stream/functions/function.h"
 
 #include <cmath>
 #include <numbers>
@@ -100,6 +101,43 @@ struct mesh_camera : item<Kind::MeshCamera, reads<mesh_camera_block>> {
         s.camera.mesh = read_mesh_camera(s.build);
     }
 };
+/// Three functions in braces.
+Production ray_functions()
+{
+    const Form one = Form::sequence({Form::named(function_value), form_of<opt_comma>()});
+    return {"ray_functions", Form::braces({one, one, one})};
+}
+using Functions = std::array<function::FunctionPtr, 3>;
+Functions read_ray_functions(CameraState& s, std::string_view name)
+{
+    const scene::SourceRef opened = s.build.open_block(name);
+    Functions all;
+    for (function::FunctionPtr& one : all) {
+        if (s.stream().peek().kind != Kind::Function) s.stream().fail_expected("'function' and its body");
+        one = read_function_value(s.stream());
+        if (one->parameters > 3) s.fail("a camera's functions are of x and y");
+        s.stream().accept_comma();
+    }
+    s.build.close_block(name, opened);
+    return all;
+}
+/// A vector, or functions where the camera is user_defined: what comes last counts (spec 7c, 7).
+template <Kind word, glm::dvec3 scene::Camera::*Vector, Functions scene::UserCamera::*ByFunction>
+struct vector_or_functions : item<word, by_action<pegtl::sor<reads<ray_functions>, a_vector>>> {
+    static void act(CameraState& s)
+    {
+        const bool functions = s.camera.kind == Kinds::UserDefined && s.stream().peek().kind == Kind::LeftBrace;
+        if (functions || s.camera.functions) {
+            auto by = std::make_shared<scene::UserCamera>();
+            if (s.camera.functions) *by = *s.camera.functions;
+            (*by).*ByFunction = functions ? read_ray_functions(s, spelling(word)) : Functions{};
+            s.camera.functions = std::move(by);
+        }
+        if (functions) return;
+        read_rule<a_vector>(s.build, s);
+        s.camera.*Vector = s.pop_vector();
+    }
+};
 struct up : item<Kind::Up, a_vector> {
     static void act(CameraState& s)
     {
@@ -196,11 +234,12 @@ using CameraKinds =
     table<CameraState, camera_kind<Kind::Perspective, Kinds::Perspective>,
           camera_kind<Kind::Orthographic, Kinds::Orthographic>, camera_kind<Kind::Fisheye, Kinds::Fisheye>,
           camera_kind<Kind::UltraWideAngle, Kinds::UltraWideAngle>, camera_kind<Kind::Omnimax, Kinds::Omnimax>,
-          camera_kind<Kind::Panoramic, Kinds::Panoramic>, camera_kind<Kind::Spherical, Kinds::Spherical>, cylinder,
-          mesh_camera>;
+          camera_kind<Kind::Panoramic, Kinds::Panoramic>, camera_kind<Kind::Spherical, Kinds::Spherical>,
+          camera_kind<Kind::UserDefined, Kinds::UserDefined>, cylinder, mesh_camera>;
 using CameraItems =
     table<CameraState, up, right, look_at, angle, blur_samples, confidence, variance, focal_point, bokeh, normal,
-          member<Kind::Location, &Camera::location>, member<Kind::Direction, &Camera::direction>,
+          vector_or_functions<Kind::Location, &Camera::location, &scene::UserCamera::location>,
+          vector_or_functions<Kind::Direction, &Camera::direction, &scene::UserCamera::direction>,
           member<Kind::Sky, &Camera::sky>, member<Kind::Aperture, &Camera::aperture>>;
 
 /// Transformations act after everything else, in version 3.5 and later; before, at once.
@@ -261,6 +300,11 @@ scene::Camera read_camera(SceneBuilder& build, const scene::Camera& base)
             while (CameraKinds::match(build, s)) {}
         while (CameraModifiers::match(build, s)) {}
         if (s.fixed_order) finish_in_fixed_order(s);
+        if (s.camera.kind == Kinds::UserDefined && s.camera.aperture != 0.0) {
+            stream.warn(s.camera.source,
+                        "a user_defined camera has no focal blur here; POV-Ray 3.8 shows the background alone");
+            s.camera.aperture = 0.0;
+        }
     }
     build.close_block("camera", opened);
     return s.camera;

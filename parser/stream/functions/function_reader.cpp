@@ -43,10 +43,12 @@ function::FunctionPtr read_internal(TokenStream& stream)
     stream.expect(Kind::LeftParen, "'(' and the number of an internal function");
     const Token number = stream.peek();
     stream.expect(Kind::Number, "the number of an internal function");
-    if (!(number.number >= 0.0 && number.number < function::kInternals))
+    if (!(number.number >= 0.0 && number.number < function::kNumbered))
         stream.fail(stream.place(number), fmt::format("there is no internal function {}", number.number));
     stream.expect(Kind::RightParen, "')'");
-    return function::make_internal(static_cast<std::uint32_t>(number.number));
+    const auto which = static_cast<std::uint32_t>(number.number);
+    const bool whole = which == function::kEnneper && stream.povray() == scene::PovRay::V38;
+    return function::make_internal(whole ? function::kWholeEnneper : which);
 }
 
 /// Bodies that are a thing of the scene. Null: an expression follows.

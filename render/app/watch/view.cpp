@@ -120,6 +120,7 @@ std::string camera_text(const scene::Camera& camera)
     case Kind::Cylinder: out += fmt::format("  cylinder {}\n", camera.cylinder_type); break;
     case Kind::Spherical: out += "  spherical\n"; break;
     case Kind::Mesh: out += "  // a mesh_camera: its rays are the mesh's\n"; break;
+    case Kind::UserDefined: out += "  user_defined  // and its functions, as the scene has them\n"; break;
     }
     out += "  location " + vector_text(camera.location) + "\n";
     out += "  direction " + vector_text(camera.direction) + "\n";

@@ -4,6 +4,7 @@
 #include "numbers/lanes.h"
 #include "render/plan/camera_starts.h"
 #include "render/texture/evaluate.h"
+#include "render/texture/function_host.h"
 #include "render/kernel/camera/mesh_camera_ray.h"
 
 #include <cmath>
@@ -109,6 +110,7 @@ bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2&
     case Kind::Panoramic: panoramic(px, v, out, place); break;
     case Kind::Cylinder: cylinder(u, v, out, place); break;
     case Kind::Spherical: spherical(u, v, out, place); break;
+    case Kind::UserDefined: user_defined(u, v, out); break;
     case Kind::Mesh:
         place = {0, 0};
         found = extras_.mesh &&
@@ -191,6 +193,21 @@ bool CameraRays::omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) c
         return false;
     out.direction = polar(theta, a, b);
     return true;
+}
+
+void CameraRays::user_defined(double u, double v, csg::Ray& out) const
+{
+    constexpr std::size_t kMostParameters = 8;
+    out.direction = camera_.direction;
+    for (std::size_t i = 0; i < extras_.functions.size(); ++i) {
+        if (extras_.functions[i] == texture::kNone) continue;
+        const function::Function& one = *extras_.textures->functions[extras_.functions[i]];
+        if (one.parameters > kMostParameters) continue;
+        const std::array<double, kMostParameters> place{u, v};
+        const auto axis = static_cast<glm::length_t>(i % 3);
+        (i < 3 ? out.origin : out.direction)[axis] =
+            function::evaluate(one, place.data(), texture::FunctionHost(*extras_.textures));
+    }
 }
 
 void CameraRays::panoramic(double px, double v, csg::Ray& out, glm::dvec2& place) const

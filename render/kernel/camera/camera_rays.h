@@ -16,6 +16,9 @@ public:
         const plan::MeshCamera* mesh = nullptr;
         const texture::TextureSet* textures = nullptr;
         std::uint32_t normal = texture::kNone;  ///< bends the rays; index into textures->normals
+        /// Of a user-defined camera's rays (plan::CompiledScene::camera_functions).
+        std::array<std::uint32_t, 6> functions{texture::kNone, texture::kNone, texture::kNone,
+                                               texture::kNone, texture::kNone, texture::kNone};
     };
 
     CameraRays(const scene::Camera& camera, int width, int height, const Extras& extras);
@@ -62,6 +65,7 @@ private:
     bool omnimax(double u, double v, csg::Ray& out, glm::dvec2& place) const;
     void cylinder(double u, double v, csg::Ray& out, glm::dvec2& place) const;
     void spherical(double u, double v, csg::Ray& out, glm::dvec2& place) const;
+    void user_defined(double u, double v, csg::Ray& out) const;
     void panoramic(double px, double v, csg::Ray& out, glm::dvec2& place) const;
     /// The direction at `theta` from the axis, towards the polar angle of (a, b) in the picture.
     glm::dvec3 polar(double theta, double a, double b) const;

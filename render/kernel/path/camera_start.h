@@ -15,7 +15,7 @@ class CameraStart {
 public:
     explicit CameraStart(const plan::CompiledScene& scene)
         : rays_(scene.camera, scene.options.width, scene.options.height,
-                {scene.mesh_camera.get(), &scene.textures, scene.camera_normal}),
+                {scene.mesh_camera.get(), &scene.textures, scene.camera_normal, scene.camera_functions}),
           blur_(scene.camera, scene.textures, scene.bokeh), starts_(scene), nearest_(scene.tolerance.hit)
     {
         for (const std::uint32_t interior : scene.camera_interiors) around_.append(interior);

@@ -25,7 +25,8 @@ inline glm::vec3 photon_flux(const PhotonFlight& flight, const glm::vec3& color,
     double share = 1.0;
     for (int i = 0; i < power; ++i) share *= flight.parallel ? flight.step : flight.step * depth;
     const light::Light& light = *flight.light;
-    if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
+    if (light.fades_from_start) share /= numbers::pow(depth, light.fade_power);
+    else if (light.fade_power > 0.0 && std::abs(light.fade_distance) > kNearlyZero)
         share *= 2.0 / (1.0 + numbers::pow(depth / light.fade_distance, light.fade_power));
     return color * static_cast<float>(share);
 }

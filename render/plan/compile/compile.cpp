@@ -92,6 +92,10 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
         for (light::Light& light : out.lights.lights) free_light(light);
         free_lens(out.camera);
     }
+    if (const auto& by = description.camera.functions)
+        for (std::size_t i = 0; i < 6; ++i)
+            if (const auto& one = i < 3 ? by->location[i] : by->direction[i - 3])
+                out.camera_functions[i] = textures.function(one);
     if (description.camera.normal) out.camera_normal = textures.normal(*description.camera.normal, false);
     if (description.camera.bokeh && description.camera.bokeh->pigment)
         out.bokeh = textures.pigment(*description.camera.bokeh->pigment);

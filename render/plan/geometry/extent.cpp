@@ -112,6 +112,7 @@ struct ShapeExtent {
     }
     csg::Aabb operator()(const scene::Torus& s) const
     {
+        if (has_spindle(s)) return corners_moved(t, spindle_torus(s).bounds());
         const glm::dvec3 half(s.major + s.minor, s.minor, s.major + s.minor);
         return corners_moved(t, {-half, half});
     }

@@ -258,7 +258,7 @@ csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited&
     const bool on_surface = std::holds_alternative<scene::Sphere>(object.shape) &&
                             (own.uv_mapping || uv_use_.of((own.texture ? own.texture : default_texture_).texture) ||
                              uv_use_.of(own.interior_texture.texture));
-    return world_solid(object.shape, own.to_world, on_surface);
+    return world_solid(object.shape, own.to_world, on_surface, description_.povray == scene::PovRay::V38);
 }
 
 csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)

@@ -57,7 +57,7 @@ Corners oriented(const Corners& c, bool moved)
 
 struct ToWorld {
     const csg::Transform& t;
-    bool on_surface;
+    bool on_surface, sides_by_order;
 
     Corners moved(const Corners& c) const { return {t.point(c[0]), t.point(c[1]), t.point(c[2])}; }
     csg::Solid operator()(const scene::Sphere& s) const
@@ -88,7 +88,11 @@ struct ToWorld {
         if (csg::Cone::make(s.base, s.base_radius, s.cap, s.cap_radius, s.open, t, cone, radius)) return cone;
         return csg::Cylinder::make(s.base, s.cap, radius, s.open, t);
     }
-    csg::Solid operator()(const scene::Torus& s) const { return csg::Torus{std::abs(s.major), std::abs(s.minor), t}; }
+    csg::Solid operator()(const scene::Torus& s) const
+    {
+        if (has_spindle(s)) return csg::Freeform{csg::make_freeform<csg::SpindleTorus>(spindle_torus(s)), t};
+        return csg::Torus{std::abs(s.major), std::abs(s.minor), t};
+    }
     csg::Solid operator()(const scene::Shared<scene::Quadric>& s) const
     {
         return csg::Quadric{s->square, s->mixed, s->linear, s->constant, t};
@@ -99,7 +103,7 @@ struct ToWorld {
     }
     csg::Solid operator()(const scene::Triangle& s) const
     {
-        return csg::Triangle::make(oriented(moved(s.vertex), !t.identity()));
+        return csg::Triangle::make(oriented(moved(s.vertex), !sides_by_order && !t.identity()));
     }
     csg::Solid operator()(const scene::Shared<scene::SmoothTriangle>& s) const
     {
@@ -141,9 +145,24 @@ struct ToWorld {
 
 }  // namespace
 
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface)
+bool has_spindle(const scene::Torus& torus)
 {
-    return std::visit(ToWorld{to_world, on_surface}, shape);
+    using Spindle = scene::Torus::Spindle;
+    return torus.spindle == Spindle::Intersection ||
+           (torus.spindle != Spindle::Usual && torus.major > 0.0 && torus.minor > torus.major);
+}
+
+csg::SpindleTorus spindle_torus(const scene::Torus& torus)
+{
+    using Spindle = csg::SpindleTorus::Spindle;
+    static constexpr Spindle kSpindles[] = {Spindle::Union, Spindle::Union, Spindle::Merge, Spindle::Difference,
+                                            Spindle::Intersection};
+    return {torus.major, torus.minor, kSpindles[static_cast<std::size_t>(torus.spindle)]};
+}
+
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface, bool sides_by_order)
+{
+    return std::visit(ToWorld{to_world, on_surface, sides_by_order}, shape);
 }
 
 }  // namespace plan

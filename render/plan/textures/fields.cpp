@@ -45,7 +45,7 @@ std::shared_ptr<const csg::Field> FieldLinker::linked(const std::shared_ptr<cons
     TextureCompiler compiler(scene_, quality_, host->set, notes_);
     const std::uint32_t slot = compiler.function(asks->function());
     return std::make_shared<const function::FunctionField>(
-        slot == texture::kNone ? outside() : host->set.functions[slot], host);
+        slot == texture::kNone ? outside() : host->set.functions[slot], host, asks->negated());
 }
 
 std::shared_ptr<const csg::FreeformShape> FieldLinker::linked(const std::shared_ptr<const csg::FreeformShape>& shape)

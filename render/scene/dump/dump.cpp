@@ -23,7 +23,11 @@ struct ShapeDump {
         out.line("cone", fmt::format("{} {} {} {}{}", text(c.base), text(c.base_radius), text(c.cap),
                                      text(c.cap_radius), c.open ? " open" : ""));
     }
-    void operator()(const Torus& t) const { out.line("torus", text(t.major) + " " + text(t.minor)); }
+    void operator()(const Torus& t) const
+    {
+        static constexpr const char* kSpindles[] = {"", " union", " merge", " difference", " intersection"};
+        out.line("torus", text(t.major) + " " + text(t.minor) + kSpindles[static_cast<std::size_t>(t.spindle)]);
+    }
     void operator()(const Shared<Quadric>& q) const
     {
         out.line("quadric",
@@ -179,8 +183,9 @@ namespace {
 
 void dump(DumpWriter& out, const Camera& c)
 {
-    static constexpr const char* kKinds[] = {"perspective", "orthographic", "fisheye",   "ultra_wide_angle", "omnimax",
-                                             "panoramic",   "cylinder",     "spherical", "mesh_camera"};
+    static constexpr const char* kKinds[] = {"perspective", "orthographic", "fisheye",  "ultra_wide_angle",
+                                             "omnimax",     "panoramic",    "cylinder", "spherical",
+                                             "mesh_camera", "user_defined"};
     out.open("camera");
     out.line("kind", kKinds[static_cast<int>(c.kind)]);
     if (c.kind == Camera::Kind::Cylinder) out.value("cylinder_type", c.cylinder_type);
@@ -195,6 +200,7 @@ void dump(DumpWriter& out, const Camera& c)
                                   c.blur_fewest > 0 ? fmt::format(" at least {}", c.blur_fewest) : "",
                                   text(c.confidence), text(c.variance)));
     if (c.mesh) c.mesh->dump(out);
+    if (c.functions) c.functions->dump(out);
     if (c.normal) dump(out, *c.normal);
     if (c.bokeh) {
         out.open("bokeh");

@@ -21,6 +21,7 @@ struct Isosurface {
     int max_trace = 1;                   ///< crossings drawn on one ray, 1 to kMostTraced
     bool all_intersections = false;      ///< written so: kMostTraced of them
     bool open = false;                   ///< the container's wall is not drawn
+    double polarity = 0.0;               ///< above 0: inside is where the function is not below the threshold
 
     void dump(DumpWriter& out) const
     {
@@ -34,6 +35,7 @@ struct Isosurface {
         if (all_intersections) out.word("all_intersections");
         else out.changed("max_trace", max_trace, usual.max_trace);
         if (open) out.word("open");
+        out.changed("polarity", polarity, usual.polarity);
     }
 };
 

@@ -1,0 +1,129 @@
+#include "parser/grammar/objects/mesh_lists.h"
+#include "render/model/obj_reader.h"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+/// Meshes whose triangles are a file's (POV-Ray 3.8: mesh { obj ... }).
+namespace parser {
+namespace {
+
+/// What the names of materials mean.
+struct MaterialList {
+    std::unordered_map<std::string, std::uint32_t> by_name;  ///< indices into the mesh's textures
+    bool asked = false;                                      ///< names of declared textures, with prefix and suffix
+    std::string prefix, suffix;
+};
+
+/// `{ "name" texture { ... } ... prefix "p" suffix "s" }`, commas between them optional.
+MaterialList read_materials(MeshState& s)
+{
+    TokenStream& in = s.stream();
+    MaterialList list;
+    const auto opened = s.build.open_block("texture_list");
+    list.asked = true;
+    for (bool more = true; more;) {
+        in.accept_comma();
+        if (in.accept(Kind::Prefix)) list.prefix = parser::string_expr(in);
+        else if (in.accept(Kind::Suffix)) list.suffix = parser::string_expr(in);
+        else if (at_string(in)) {
+            const std::string name = parser::string_expr(in);
+            in.accept_comma();
+            const auto declared = in.accept_identifier<scene::TexturePtr>();
+            if (!declared) in.expect(Kind::Texture, "a texture");
+            list.by_name[name] = s.add_texture(declared ? *declared : read_textures(s.build));
+        } else {
+            more = false;
+        }
+    }
+    s.build.close_block("texture_list", opened);
+    return list;
+}
+
+model::Model read_file(TokenStream& in, const scene::SourceRef& at, const std::string& name, const std::string& path)
+{
+    try {
+        return model::read_obj(path);
+    } catch (const model::ModelError& error) {
+        if (error.line > 0) in.fail(at, fmt::format("{}:{}: {}", path, error.line, error.what()));
+        in.fail(at, fmt::format("the file '{}' is no mesh: {}", name, error.what()));
+    }
+}
+
+/// The texture of each material; kNone: the mesh's own.
+std::vector<std::uint32_t> textures_of(MeshState& s, const scene::SourceRef& at, const model::Model& model,
+                                       const MaterialList& list)
+{
+    std::vector<std::uint32_t> all;
+    for (const std::string& name : model.materials) {
+        std::uint32_t texture = scene::MeshData::kNone;
+        const std::string full = list.prefix + name + list.suffix;
+        if (const auto known = list.by_name.find(name); known != list.by_name.end()) {
+            texture = known->second;
+        } else if (list.asked) {
+            const Value* const value = s.stream().value_of(std::string_view(full));
+            const auto* declared = value ? value->get_if<scene::TexturePtr>() : nullptr;
+            if (declared) texture = s.add_texture(*declared);
+            else
+                s.stream().warn(at, fmt::format("the material '{}' is not in texture_list, and no texture '{}' is "
+                                                "declared: it has the mesh's texture",
+                                                name, full));
+        }
+        all.push_back(texture);
+    }
+    return all;
+}
+
+std::array<std::uint32_t, 3> moved(std::array<std::uint32_t, 3> of, std::size_t by)
+{
+    for (std::uint32_t& one : of)
+        one = one == model::kNone ? scene::MeshData::kNone : one + static_cast<std::uint32_t>(by);
+    return of;
+}
+
+}  // namespace
+
+Form obj_mesh_form()
+{
+    const Form entry = Form::choice(
+        {form_of<seq<token<Kind::Prefix>, a_text>>(), form_of<seq<token<Kind::Suffix>, a_text>>(),
+         Form::sequence({form_of<seq<a_text, opt_comma>>(),
+                         Form::choice({Form::operand("identifier"),
+                                       Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)})})})});
+    return Form::sequence(
+        {form_of<seq<token<Kind::Obj>, a_text>>(),
+         Form::optional(Form::sequence({Form::token(Kind::TextureList), Form::braces({Form::repeated(entry)})}))});
+}
+
+void read_obj_mesh(MeshState& s)
+{
+    TokenStream& in = s.stream();
+    const scene::SourceRef at = in.here();
+    const std::string name = parser::path_expr(in);
+    const std::string path = in.find_file(name, {".obj", ".OBJ"});
+    if (path.empty()) in.fail(at, fmt::format("cannot find the mesh file '{}'", name));
+    in.data_files().push_back(path);
+    const MaterialList list = in.accept(Kind::TextureList) ? read_materials(s) : MaterialList{};
+    model::Model model = read_file(in, at, name, path);
+    const std::vector<std::uint32_t> textures = textures_of(s, at, model, list);
+
+    scene::MeshData& mesh = *s.data;
+    const std::size_t vertices = mesh.vertices.size(), normals = mesh.normals.size(), uvs = mesh.uvs.size();
+    const auto append = [](auto& to, auto& from) {
+        if (to.empty()) to = std::move(from);
+        else to.insert(to.end(), from.begin(), from.end());
+    };
+    append(mesh.vertices, model.vertices);
+    append(mesh.normals, model.normals);
+    append(mesh.uvs, model.uvs);
+    mesh.faces.reserve(mesh.faces.size() + model.faces.size());
+    for (const model::Model::Face& face : model.faces) {
+        scene::MeshData::Face made{moved(face.vertex, vertices), moved(face.normal, normals), moved(face.uv, uvs),
+                                   kNoIndices};
+        if (face.material != model::kNone) made.texture.fill(textures[face.material]);
+        mesh.faces.push_back(made);
+    }
+}
+
+}  // namespace parser
