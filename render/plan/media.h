@@ -24,6 +24,7 @@ struct Media {
     Method method = Method::Adaptive;
     int intervals = 1, samples_least = 10, samples_most = 10;
     double ratio = 0.9, jitter = 0;
+    bool whole = false;  ///< adaptive samples reach the end of an interval, as since POV-Ray 3.8 (spec 7d, 2)
     int aa_level = 3;
     double aa_threshold = 0.1;
     bool collect = true;

@@ -63,10 +63,12 @@ std::pair<std::uint8_t*, double*> AdaptiveSums::add_samples()
     return {samples_.job.data() + first, samples_.place.data() + first};
 }
 
-/// Sample n of sub-interval i has the number n * jobs_ + i. The last of them lies before the end (spec 6, 2.7).
+/// Sample n of sub-interval i has the number n * jobs_ + i. Before POV-Ray 3.8 the last of them lies before the end
+/// (spec 6, 2.7).
 void AdaptiveSums::place_even()
 {
-    const double jitter = chunk_.control->jitter, gaps = static_cast<double>(gaps_) + 1.0;
+    const double jitter = chunk_.control->jitter, unseen = chunk_.control->whole ? 0.0 : 1.0;
+    const double gaps = static_cast<double>(gaps_) + unseen;
     samples_.clear();
     for (std::uint32_t n = 0; n <= gaps_; ++n) {
         const double even = n / gaps;

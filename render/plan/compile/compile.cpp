@@ -83,7 +83,8 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.settings = settings(description, options);
     std::vector<scene::Unsupported> notes = description.unsupported;
     TextureCompiler textures(description, options.quality, out.textures, notes);
-    MediaCompiler media(textures, options.quality, options.lean.takes(LeanStep::BlackMedia), out.media);
+    MediaCompiler media(textures, options.quality, options.lean.takes(LeanStep::BlackMedia), description.povray,
+                        out.media);
     GeometryCompiler geometry(description, options, textures, media, out, notes);
     geometry.expect(description.objects.size());
     for (const scene::Object& object : description.objects) geometry.add(object);

@@ -81,6 +81,7 @@ std::uint32_t MediaCompiler::medium(const std::shared_ptr<const scene::Media>& m
     to.samples_most = from.samples_most;
     to.ratio = from.ratio;
     to.jitter = from.jitter;
+    to.whole = povray_ == scene::PovRay::V38;
     to.aa_level = from.aa_level;
     to.aa_threshold = from.aa_threshold;
     to.collect = from.collect;

@@ -14,8 +14,9 @@ namespace plan {
 class MediaCompiler {
 public:
     /// quality: without effects nothing fills space. drop_black: what neither glows nor dims is left out.
-    MediaCompiler(TextureCompiler& textures, const Quality& quality, bool drop_black, MediaSet& out)
-        : textures_(textures), drawn_(quality.effects), drop_black_(drop_black), out_(out)
+    MediaCompiler(TextureCompiler& textures, const Quality& quality, bool drop_black, scene::PovRay povray,
+                  MediaSet& out)
+        : textures_(textures), drawn_(quality.effects), drop_black_(drop_black), povray_(povray), out_(out)
     {}
 
     MediaList list(const std::vector<std::shared_ptr<const scene::Media>>& media);
@@ -27,6 +28,7 @@ private:
 
     TextureCompiler& textures_;
     bool drawn_, drop_black_;
+    scene::PovRay povray_;
     std::uint64_t dropped_ = 0;
     MediaSet& out_;
     std::unordered_map<std::shared_ptr<const scene::Media>, std::uint32_t> known_;

@@ -108,7 +108,7 @@ void compile_warps(const scene::Pattern& description, const csg::Transform* by, 
 }
 
 texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
-                                 int scene_generator, std::vector<texture::Warp>& warps)
+                                 int scene_generator, scene::PovRay povray, std::vector<texture::Warp>& warps)
 {
     texture::Pattern out;
     out.kind = kind;
@@ -124,8 +124,10 @@ texture::Pattern compile_pattern(const scene::Pattern& description, const csg::T
     if (description.turbulence) {
         out.has_turbulence = true;
         out.turbulence = rounded(*description.turbulence);
-        out.displaces = out.turbulence.amount != glm::dvec3(0) && kind != PatternKind::Marble &&
-                        kind != PatternKind::Wood;
+        // Before 3.8 these two have it in their formulas alone; since then in both, as spirals (spec 7d, 1).
+        const bool inside_alone = povray == scene::PovRay::V37 &&
+                                  (kind == PatternKind::Marble || kind == PatternKind::Wood);
+        out.displaces = out.turbulence.amount != glm::dvec3(0) && !inside_alone;
     }
     return out;
 }

@@ -111,7 +111,8 @@ std::uint32_t TextureCompiler::pattern(const scene::Pattern& description, const 
 {
     const auto kind = pattern_kind(description.name);
     if (!kind) return texture::kNone;
-    texture::Pattern compiled = compile_pattern(description, by, *kind, scene_.global.noise_generator, out_.warps);
+    texture::Pattern compiled =
+        compile_pattern(description, by, *kind, scene_.global.noise_generator, scene_.povray, out_.warps);
     for (std::size_t i = out_.reach.far.size(); i < out_.warps.size(); ++i) out_.reach.add(out_.warps[i]);
     if (*kind == texture::PatternKind::PigmentPattern) {
         if (!description.pigment) return texture::kNone;

@@ -13,7 +13,7 @@ void ImageSource::dump(DumpWriter& out) const
     }
     if (!gamma) return;
     if (gamma->kind == FileGamma::Kind::Power) out.words("gamma", gamma->exponent);
-    else out.words("gamma", FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]);
+    else out.line("gamma", "\"" + std::string(FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]) + "\"");
 }
 
 void ImageMap::dump(DumpWriter& out) const
