@@ -26,7 +26,7 @@ glm::ivec3 repeat(const Pattern& pattern)
 glm::dvec3 base_cell(const glm::dvec3& p) { return glm::floor(p - kTiny); }
 
 /// Whose noise is the value of a solid cell: the nearest point, moved as the cell that it was found from has to be to
-/// lie among the first ones (docs/povray/07b, 2).
+/// lie among the first ones (spec 7b, 4).
 glm::dvec3 solid_point(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells)
 {
     glm::dvec3 point = nearest_cells(p, cells, pattern.numbers[0], false, 1).point;

@@ -28,7 +28,7 @@ POTENTIALS = [f"potential {{ {solid} }} {rest}" for solid, rest in (
     (BLOB, "sine_wave frequency 2"), (BLOB, "triangle_wave"), (BLOB, "poly_wave 2"), (BLOB, "scale 2 rotate z*30"),
     (BLOB, "turbulence 0.3"), (MANY, ""), (with_modifier(BLOB, "inverse"), "threshold on"),
     (with_modifier(BLOB, "scale <0.5, 1, 2> translate x"), ""), (SURFACE, ""), (SURFACE, "threshold on"),
-    (with_modifier(SURFACE, "inverse"), "threshold on"), (with_modifier(SURFACE, "inverse rotate y*40"), ""))]
+    (with_modifier(SURFACE, "inverse"), "threshold on"), (with_modifier(SURFACE, "polarity 1"), "threshold on"), (with_modifier(SURFACE, "inverse rotate y*40"), ""))]
 CRACKLES = [f"crackle {rest}" for rest in (
     "repeat <2, 3, 2>", "repeat <2.7, 3, 0.9>", "repeat 1", "repeat <0, 4, 0> form <1, 0, 0>", "repeat 2 solid",
     "repeat <3, 2, 1> metric 3", "repeat 2 metric 1 offset 0.1", "solid", "")]
