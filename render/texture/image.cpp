@@ -35,7 +35,7 @@ T around_tube(const T& px, const T& py, const T& pz)
     return csg::lanes::choose(py > T(0.0), one - turned, turned);
 }
 
-/// A mirror ball's picture, as of light probes: <0, 0, 1> in the middle, <0, 0, -1> all around (docs/povray/07b, 5).
+/// A mirror ball's picture, as of light probes: <0, 0, 1> in the middle, <0, 0, -1> all around (spec 7b, 7).
 /// Places in a picture of 1 by 1; what to multiply x and y by to get there from the middle.
 template <class T>
 T from_middle(const T& x, const T& y, const T& z)

@@ -98,7 +98,7 @@ bool keeps_alpha(const scene::ImageSource& source)
 }
 
 /// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3). Since 3.8 texels fade that
-/// have an alpha, the last of both counts, and leaves others alone (docs/povray/07b, 4).
+/// have an alpha, the last of both counts, and leaves others alone (spec 7b, 6).
 void apply_transparency(const scene::ImageMap& written, bool fades, texture::Image& out)
 {
     const bool faded = keeps_alpha(written.source);

@@ -2,6 +2,7 @@
 #include "render/plan/probe.h"
 #include "render/plan/textures/fields.h"
 #include "render/plan/textures/textures.h"
+#include "render/scene/solids.h"
 
 /// What patterns look their values up in: pictures, densities, objects. Each is taken once, however often it is used.
 namespace plan {
@@ -34,6 +35,10 @@ texture::Potential TextureCompiler::potential(const scene::Object& object)
     out.into.linear = object.transform->inverse_linear;
     out.into.offset = object.transform->inverse_offset;
     out.inverse = object.inverse;
+    // What is inside above its threshold has the function's opposite for its field.
+    const scene::WrittenSolid* written = object.details->written.get();
+    const auto* isosurface = written ? std::get_if<scene::Isosurface>(&written->parameters) : nullptr;
+    if (isosurface && isosurface->polarity > 0.0) out.inverse = !out.inverse;
     if (const auto* solid = std::get_if<csg::Isosurface>(&out.shape->kind)) out.threshold = solid->terms().threshold;
     else out.threshold = std::get<csg::Blob>(out.shape->kind).threshold();
     return out;

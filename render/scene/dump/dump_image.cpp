@@ -1,5 +1,7 @@
 #include "render/scene/textures/image_map.h"
 
+#include <fmt/format.h>
+
 /// Pictures and densities that patterns look into.
 namespace scene {
 
@@ -13,7 +15,7 @@ void ImageSource::dump(DumpWriter& out) const
     }
     if (!gamma) return;
     if (gamma->kind == FileGamma::Kind::Power) out.words("gamma", gamma->exponent);
-    else out.line("gamma", "\"" + std::string(FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]) + "\"");
+    else out.line("gamma", fmt::format("\"{}\"", FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]));
 }
 
 void ImageMap::dump(DumpWriter& out) const

@@ -23,6 +23,20 @@ glm::ivec3 repeat(const Pattern& pattern)
             static_cast<int>(pattern.numbers[5])};
 }
 
+glm::dvec3 base_cell(const glm::dvec3& p) { return glm::floor(p - kTiny); }
+
+/// Whose noise is the value of a solid cell: the nearest point, moved as the cell that it was found from has to be to
+/// lie among the first ones (spec 7b, 4).
+glm::dvec3 solid_point(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells)
+{
+    glm::dvec3 point = nearest_cells(p, cells, pattern.numbers[0], false, 1).point;
+    const glm::dvec3 base = base_cell(p);
+    const glm::ivec3 cycle = repeat(pattern);
+    for (int k = 0; k < 3; ++k)
+        if (const double size = cycle[k]; size > 0.0) point[k] -= size * std::floor(base[k] / size);
+    return point;
+}
+
 bool solid(const Pattern& pattern) { return pattern.numbers[2] != 0.0; }
 
 /// How many of the nearest distances count.
@@ -49,7 +63,7 @@ double crackle_in(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells
     const double metric = pattern.numbers[0];
     const int count = wanted(pattern);
     if (!solid(pattern)) return value_of(pattern, nearest_distances(p, cells, metric, count), count);
-    return std::clamp(noise(nearest_cells(p, cells, metric, false, 1).point, pattern.noise_generator), 0.0, 1.0);
+    return std::clamp(noise(solid_point(pattern, p, cells), pattern.noise_generator), 0.0, 1.0);
 }
 
 /// value_of() for lengths: metric 1 or 2, no offset.
@@ -100,8 +114,7 @@ void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, int
 void solid_values(const Pattern& pattern, const Points& p, CellPoints& cells, Values& out)
 {
     Points nearest;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        nearest.add(nearest_cells(p.at(i), cells, pattern.numbers[0], false, 1).point);
+    for (std::size_t i = 0; i < p.size(); ++i) nearest.add(solid_point(pattern, p.at(i), cells));
     nearest.pad();
     noise_points(nearest, pattern.noise_generator, out);
     for (std::size_t i = 0; i < p.size(); ++i) out[i] = std::clamp(out[i], 0.0, 1.0);
@@ -128,7 +141,7 @@ void values_in(const Pattern& pattern, const glm::dvec3& base, Points& p, Values
 
 double crackle(const Pattern& pattern, const glm::dvec3& p)
 {
-    return crackle_in(pattern, p, cell_points(glm::floor(p - kTiny), repeat(pattern)));
+    return crackle_in(pattern, p, cell_points(base_cell(p), repeat(pattern)));
 }
 
 void crackle_values(const Pattern& pattern, const Points& p, Values& out)
@@ -137,7 +150,7 @@ void crackle_values(const Pattern& pattern, const Points& p, Values& out)
     std::array<std::uint8_t, kMostPoints> left, owner;
     std::size_t count = p.size();
     for (std::size_t i = 0; i < count; ++i) {
-        base[i] = glm::floor(p.at(i) - kTiny);
+        base[i] = base_cell(p.at(i));
         left[i] = static_cast<std::uint8_t>(i);
     }
     Points group;

@@ -14,7 +14,7 @@ namespace texture {
 /// numbers: interpolate.
 double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
 
-/// A field at a point (docs/povray/07b, 1). numbers: whether the threshold is taken off.
+/// A field at a point (spec 7b, 3). numbers: whether the threshold is taken off.
 double potential(const Potential& of, const Pattern& pattern, const glm::dvec3& p);
 void potential_values(const Potential& of, const Pattern& pattern, const Points& p, Values& out);
 

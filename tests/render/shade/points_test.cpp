@@ -48,8 +48,12 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     if (rng.flip()) p.vector.z = 0.0;
     if (rng.flip()) p.vector.y = 0.0;
     if (p.kind == K::Crackle)
-        p.numbers = {kMetrics[static_cast<std::size_t>(rng.below(kMetrics.size()))], rng.flip() ? 0.0 : 0.3,
-                     rng.below(4) == 0 ? 1.0 : 0.0};
+        p.numbers = {kMetrics[static_cast<std::size_t>(rng.below(kMetrics.size()))],
+                     rng.flip() ? 0.0 : 0.3,
+                     rng.below(4) == 0 ? 1.0 : 0.0,
+                     1.0 * rng.below(4),
+                     1.0 * rng.below(3),
+                     1.0 * rng.below(2)};
     else if (p.kind == K::Mandel || p.kind == K::Julia || p.kind == K::MagnetMandel || p.kind == K::MagnetJulia)
         p.numbers = {1.0 + rng.below(40),  2.0 + rng.below(3),     double(rng.below(9)), rng.uniform(0.5, 3.0),
                      double(rng.below(7)), rng.uniform(-1.0, 1.0), 1.0 + rng.below(2)};

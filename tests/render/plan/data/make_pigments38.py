@@ -28,7 +28,7 @@ POTENTIALS = [f"potential {{ {solid} }} {rest}" for solid, rest in (
     (BLOB, "sine_wave frequency 2"), (BLOB, "triangle_wave"), (BLOB, "poly_wave 2"), (BLOB, "scale 2 rotate z*30"),
     (BLOB, "turbulence 0.3"), (MANY, ""), (with_modifier(BLOB, "inverse"), "threshold on"),
     (with_modifier(BLOB, "scale <0.5, 1, 2> translate x"), ""), (SURFACE, ""), (SURFACE, "threshold on"),
-    (with_modifier(SURFACE, "inverse"), "threshold on"), (with_modifier(SURFACE, "inverse rotate y*40"), ""))]
+    (with_modifier(SURFACE, "inverse"), "threshold on"), (with_modifier(SURFACE, "polarity 1"), "threshold on"), (with_modifier(SURFACE, "inverse rotate y*40"), ""))]
 CRACKLES = [f"crackle {rest}" for rest in (
     "repeat <2, 3, 2>", "repeat <2.7, 3, 0.9>", "repeat 1", "repeat <0, 4, 0> form <1, 0, 0>", "repeat 2 solid",
     "repeat <3, 2, 1> metric 3", "repeat 2 metric 1 offset 0.1", "solid", "")]
@@ -41,10 +41,8 @@ FADED = ['image_map { png "vrgba.png" gamma 1 premultiplied on transmit all 0.3 
 MAPS = ["gradient x color_map { " + " ".join(f"[{i / 299:.6f} rgb <{i * 37 % 100 / 100}, {i / 299:.4f}, 0>]" for i in range(300)) + " }"]
 
 
-def main():
-    statements = [f"{p} {VALUES}" for p in POTENTIALS] + CRACKLES + PICTURES + CURVES + FADED + MAPS
-    chance = random.Random(1)
-    points = [[round(chance.uniform(-2.5, 2.5), 3) for _ in range(3)] for _ in range(12)]
+def asked(statements, points):
+    """Five numbers for each statement at each point."""
     text = '#version 3.8;\nglobal_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { rgb 1 } }\n'
     for i, statement in enumerate(statements):
         text += f"#declare F{i} = function {{ pigment {{ {statement} }} }}\n"
@@ -58,16 +56,27 @@ def main():
         done = subprocess.run([*sys.argv[1:], f"+I{scene}", f"+O{folder}/ask.png", "-D", "+W2", "+H2"], cwd=HERE,
                               capture_output=True, text=True, check=True)
     numbers = re.findall(r"^\|(\S+)$", done.stdout + done.stderr, re.M)
-    rows = len(statements) * len(points)
-    assert len(numbers) == 5 * rows, (len(numbers), 5 * rows)
+    assert len(numbers) == 5 * len(statements) * len(points), len(numbers)
+    return numbers
+
+
+def main():
+    statements = [f"{p} {VALUES}" for p in POTENTIALS] + CRACKLES + PICTURES + CURVES + FADED + MAPS
+    chance = random.Random(1)
+    points = [[round(chance.uniform(-2.5, 2.5), 3) for _ in range(3)] for _ in range(12)]
+    # POV-Ray's cells of crackle outlive a pattern, whatever the next one's repeat: each is asked by itself.
+    alone = set(CRACKLES)
+    others = [s for s in statements if s not in alone]
+    numbers = iter(asked(others, points))
+    answers = {s: [next(numbers) for _ in range(5 * len(points))] for s in others}
+    for statement in CRACKLES:
+        answers[statement] = asked([statement], points)
     out = ["# Pigments of POV-Ray 3.8.0-beta.2, asked by make_pigments38.py: x y z, then red green blue filter transmit.",
            "# The scene: #version 3.8, assumed_gamma 1."]
-    at = 0
     for statement in statements:
         out.append(f"= {statement}")
-        for point in points:
-            out.append(" ".join([*map(str, point), *numbers[at:at + 5]]))
-            at += 5
+        for i, point in enumerate(points):
+            out.append(" ".join([*map(str, point), *answers[statement][5 * i:5 * i + 5]]))
     (HERE / "pigments38.txt").write_text("\n".join(out) + "\n")
 
 
