@@ -20,9 +20,8 @@ void add_words(const Form& form, std::set<Kind>& words)
 
 /// Reserved, but read nowhere.
 const std::set<std::string> kUnused = {
-    "blend_gamma", "blend_mode", "breakpoint", "bt2020",       "bt709",  "cmap",  "distance_maximum",
-    "lemon",       "obj",        "polarity",   "potential",    "prefix", "sblue", "sgreen",
-    "sred",        "steps",      "suffix",     "user_defined",
+    "blend_gamma", "blend_mode", "breakpoint", "bt2020", "bt709", "distance_maximum",
+    "potential",   "sblue",      "sgreen",     "sred",   "steps",
 };
 
 }  // namespace
