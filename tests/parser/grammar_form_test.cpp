@@ -20,8 +20,7 @@ void add_words(const Form& form, std::set<Kind>& words)
 
 /// Reserved, but read nowhere.
 const std::set<std::string> kUnused = {
-    "blend_gamma", "blend_mode", "breakpoint", "cmap",  "distance_maximum", "lemon",        "obj", "polarity", "prefix",
-    "sblue",       "sgreen",     "sred",       "steps", "suffix",           "user_defined",
+    "blend_gamma", "blend_mode", "breakpoint", "distance_maximum", "sblue", "sgreen", "sred", "steps",
 };
 
 }  // namespace

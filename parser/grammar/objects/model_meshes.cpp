@@ -75,7 +75,7 @@ std::vector<std::uint32_t> textures_of(MeshState& s, const scene::SourceRef& at,
     return all;
 }
 
-std::array<std::uint32_t, 3> moved(std::array<std::uint32_t, 3> of, std::size_t by)
+std::array<std::uint32_t, 3> counted_from(std::array<std::uint32_t, 3> of, std::size_t by)
 {
     for (std::uint32_t& one : of)
         one = one == model::kNone ? scene::MeshData::kNone : one + static_cast<std::uint32_t>(by);
@@ -119,8 +119,8 @@ void read_obj_mesh(MeshState& s)
     append(mesh.uvs, model.uvs);
     mesh.faces.reserve(mesh.faces.size() + model.faces.size());
     for (const model::Model::Face& face : model.faces) {
-        scene::MeshData::Face made{moved(face.vertex, vertices), moved(face.normal, normals), moved(face.uv, uvs),
-                                   kNoIndices};
+        scene::MeshData::Face made{counted_from(face.vertex, vertices), counted_from(face.normal, normals),
+                                   counted_from(face.uv, uvs), kNoIndices};
         if (face.material != model::kNone) made.texture.fill(textures[face.material]);
         mesh.faces.push_back(made);
     }

@@ -16,7 +16,7 @@ using ovus_rule =
 scene::Shape sphere_at(double height, double radius) { return scene::Sphere{{0.0, height, 0.0}, radius}; }
 
 /// As POV-Ray 3.8 draws it (spec 7c, 2): the spheres' distance and the arc's radius are free.
-void make_shape(SolidReader& s, const Ovus& ovus)
+void make_egg(SolidReader& s, const Ovus& ovus)
 {
     const double b = ovus.bottom, t = ovus.top, apart = ovus.used_distance(), arc = ovus.used_radius();
     if (!(b > 0.0)) s.fail("the first radius of an ovus must be above 0");
@@ -49,7 +49,7 @@ bool read_parameters(SolidReader& s, Ovus& ovus)
     read_solid<ovus_rule>(s, ovus);
     if (ovus.bottom < 0.0 || ovus.top < 0.0) s.fail("the radii of an ovus must not be negative");
     if (s.in().povray() == scene::PovRay::V38 || ovus.radius || ovus.distance) {
-        make_shape(s, ovus);
+        make_egg(s, ovus);
         return true;
     }
     if (ovus.is_sphere())
