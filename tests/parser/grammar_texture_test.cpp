@@ -1,3 +1,4 @@
+#include "render/scene/textures/image_map.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>
