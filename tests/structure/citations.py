@@ -17,13 +17,13 @@ SKIPPED = {".git", "build", "__pycache__"}
 
 NUMBER = r"\d+(?:\.\d+)*"
 SECTIONS = rf"(?:sections? )?{NUMBER}(?:(?:, | and | to ){NUMBER}\b)*"
-CHAPTER = r"\d[ab]?"
+CHAPTER = r"\d[a-d]?"
 BEGIN = re.compile(r"\b[Ss]pec (?=\d|chapter|section|of the)")
 CITATION = re.compile(rf"({CHAPTER})(?:, ({SECTIONS}))?(?=[^\w.]|\.\W|\.?$)(?!,? \d)")
 MORE = re.compile(rf"; (\d\w?), ({SECTIONS})")  # (spec 4, 12.6; 5b, 10.1)
 ELSEWHERE = re.compile(rf"\b[Cc]hapter 0?({CHAPTER}),? (?:section )?({NUMBER})")
 SAME = re.compile(rf"(?<!anual )\b[Ss]ections? ({NUMBER}(?:(?:, | and | to ){NUMBER})*)(?! of)")
-DATA = re.compile(r"`(data/[\w./-]+\.\w+|0\d[ab]?-[\w-]+\.(?:csv|txt)|tests/[\w./-]+\.\w+)`")
+DATA = re.compile(r"`(data/[\w./-]+\.\w+|0\d[a-d]?-[\w-]+\.(?:csv|txt)|tests/[\w./-]+\.\w+)`")
 MARGIN = re.compile(r"\n[ \t]*(?:///?<?|#|\*|//)?[ \t]*")  # the end of a line and what a comment begins the next one with
 
 
@@ -40,7 +40,7 @@ def anchors(text):
 
 def read_chapters(folder):
     """{"5a": text} of the files 05a-solids-and-csg.md."""
-    named = ((re.match(r"0(\d[ab]?)-", path.name), path) for path in sorted(folder.glob("*.md")))
+    named = ((re.match(r"0(\d[a-d]?)-", path.name), path) for path in sorted(folder.glob("*.md")))
     return {found.group(1): path.read_text() for found, path in named if found}
 
 
@@ -141,7 +141,7 @@ def main():
             continue  # its own wrong forms
         found, count = complaints(text, numbers)
         total += count
-        if inside.parent == pathlib.Path(CHAPTERS) and (name := re.match(r"0(\d[ab]?)-", inside.name)):
+        if inside.parent == pathlib.Path(CHAPTERS) and (name := re.match(r"0(\d[a-d]?)-", inside.name)):
             found = found + list(chapter_complaints(name.group(1), text, numbers, root))
         for line, why in found:
             print(f"{inside}:{line}: {why}")
