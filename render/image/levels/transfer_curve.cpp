@@ -25,7 +25,7 @@ struct Television {
         return x < knee * kSlope ? x / kSlope : numbers::pow((x + (scale - 1.0f)) / scale, 1.0f / kExponent);
     }
 };
-constexpr Television kBt709{0.018f, 1.099f}, kBt2020{0.0181f, 1.0993f};
+constexpr Television kBt709{0.018f, 1.099f}, kBt2020{0.018053968510807f, 1.09929682680944f};
 
 }  // namespace
 

@@ -65,6 +65,7 @@ double raw_pattern(const TextureSet& set, const Pattern& pattern, const glm::dve
 
 double waved(const Pattern& pattern, double raw)
 {
+    if (pattern.wave == scene::WaveForm::Raw) return raw;
     double v = raw;
     if (pattern.folds) v = folded(v * pattern.frequency + pattern.phase);
     if (v < 0.0) v -= std::floor(v);
