@@ -8,7 +8,7 @@ plane { y, -1 pigment { checker rgb 0.8, rgb 0.5 } finish { ambient 0.1 diffuse 
 ovus { 0.6, 0.3 pigment { rgb <0.9, 0.8, 0.6> } finish { Look } translate -2.8*x }
 ovus { 0.6, 0.3 distance 1.4 pigment { rgb <0.9, 0.5, 0.3> } finish { Look } translate -1.4*x }
 ovus { 0.6, 0.3 distance 1.4 radius 6 pigment { rgb <0.5, 0.8, 0.4> } finish { Look } }
-ovus { 0.4, 0.7 radius 1.7 distance 1.2 precision 0.000001 sturm pigment { rgb <0.4, 0.6, 0.9> } finish { Look } rotate -20*z translate 1.5*x }
+ovus { 0.35, 0.7 radius 2.1 distance 1.05 precision 0.000001 sturm pigment { rgb <0.4, 0.6, 0.9> } finish { Look } rotate -20*z translate 1.5*x }
 difference {
   ovus { 0.6, 0.6 distance 1.2 radius 1.5 }
   plane { z, -0.2 }
