@@ -131,7 +131,7 @@ TEST_CASE("a potential has a blob or an isosurface, and values of any size until
         error_of("plane { y, 0 pigment { potential { object { isosurface { function { x } } scale 2 } } } }").empty());
     CHECK(error_of("plane { y, 0 pigment { potential { union { sphere { 0, 1 } } } } }") ==
           "1:36: error: 'potential' takes a blob or an isosurface");
-    CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") == "1:29: error: only potential takes 'threshold'");
+    CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") == "1:39: error: only potential takes 'threshold'");
 }
 
 TEST_CASE("crackle repeats after whole numbers of cells", "[parser][texture]")
@@ -142,8 +142,8 @@ TEST_CASE("crackle repeats after whole numbers of cells", "[parser][texture]")
         std::get<scene::Shared<scene::PatternedPigment>>(layers(only_object(d).texture).front().pigment.kind)->pattern;
     CHECK(pattern.numbers == std::vector<double>{2, 0, 0, 2, 0, 4});
     CHECK(error_of("plane { y, 0 pigment { crackle repeat -1 } }") ==
-          "1:32: error: a pattern repeats after 0 or more cells, not fewer");
-    CHECK(error_of("plane { y, 0 pigment { bozo repeat 2 } }") == "1:29: error: only crackle takes 'repeat'");
+          "1:40: error: a pattern repeats after 0 or more cells, not fewer");
+    CHECK(error_of("plane { y, 0 pigment { bozo repeat 2 } }") == "1:36: error: only crackle takes 'repeat'");
 }
 
 TEST_CASE("pictures of POV-Ray 3.8: an angular map and the curves of television", "[parser][texture]")
