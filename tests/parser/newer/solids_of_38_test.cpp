@@ -15,7 +15,7 @@ using grammar_test::parsed;
 const std::string k38 = "#version 3.8; global_settings { assumed_gamma 1 }\n", k37 = "#version 3.7;\n";
 
 template <class Solid>
-Solid solid_of(const std::string& text)
+Solid solid38_of(const std::string& text)
 {
     const scene::Description d = parsed(k38 + text);
     REQUIRE(d.objects.size() == 1);
@@ -40,14 +40,14 @@ struct WrittenFile {
 TEST_CASE("lemons and eggs of 3.8 have their parameters", "[parser][3.8]")
 {
     const auto lemon =
-        solid_of<scene::Lemon>("lemon { <0, 0, 0>, 0.5, <0, 2, 0> 0.3, 2 open sturm pigment { rgb 1 } }");
+        solid38_of<scene::Lemon>("lemon { <0, 0, 0>, 0.5, <0, 2, 0> 0.3, 2 open sturm pigment { rgb 1 } }");
     CHECK((lemon.base_radius == 0.5 && lemon.cap_radius == 0.3 && lemon.arc_radius == 2.0 && lemon.open));
     CHECK(lemon.cap == glm::dvec3(0, 2, 0));
-    CHECK(solid_of<scene::Lemon>("lemon { 0, 1, y, 1, 0.2 }").arc_radius == Approx(std::sqrt(1.25)));
+    CHECK(solid38_of<scene::Lemon>("lemon { 0, 1, y, 1, 0.2 }").arc_radius == Approx(std::sqrt(1.25)));
     CHECK(error_of(k38 + "lemon { 0, -1, y, 1, 2 }").find("must not be negative") != std::string::npos);
     CHECK(error_of(k38 + "lemon { y, 1, y, 1, 2 }").find("the same point") != std::string::npos);
 
-    const auto ovus = solid_of<scene::Ovus>("ovus { 1, 0.5 precision 0.001 distance 2 radius 3 radius 4 sturm }");
+    const auto ovus = solid38_of<scene::Ovus>("ovus { 1, 0.5 precision 0.001 distance 2 radius 3 radius 4 sturm }");
     CHECK((ovus.radius == 4.0 && ovus.distance == 2.0));
     CHECK(error_of(k38 + "ovus { 1, 0.5 distance 0.5 }").find("below its first radius") != std::string::npos);
     CHECK(error_of(k38 + "ovus { 1, 0.5 radius 1 }").find("half of the sum") != std::string::npos);
@@ -110,8 +110,8 @@ TEST_CASE("a mesh takes its triangles from an OBJ file", "[parser][3.8]")
 
 TEST_CASE("polarity and a text's character map are read", "[parser][3.8]")
 {
-    CHECK(solid_of<scene::Isosurface>("isosurface { function { x } polarity on }").polarity == 1.0);
-    CHECK(solid_of<scene::Isosurface>("isosurface { function { x } polarity -2 }").polarity == -2.0);
+    CHECK(solid38_of<scene::Isosurface>("isosurface { function { x } polarity on }").polarity == 1.0);
+    CHECK(solid38_of<scene::Isosurface>("isosurface { function { x } polarity -2 }").polarity == -2.0);
     CHECK(error_of(k38 + "text { ttf \"timrom.ttf\" cmap { 3, 0.5 } \"a\", 1, 0 }").find("whole numbers") !=
           std::string::npos);
 }
