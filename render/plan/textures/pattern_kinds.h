@@ -12,7 +12,7 @@ namespace plan {
 std::optional<texture::PatternKind> pattern_kind(const std::string& keyword);
 
 /// Modifiers and parameters in the precision that POV-Ray keeps them in (spec 4, 1.2). Warps are appended to `warps`.
-/// `scene_generator` stands in for a pattern without its own.
+/// `scene_generator` stands in for a pattern without its own; povray: whose rules it follows.
 texture::Pattern compile_pattern(const scene::Pattern& description, const csg::Transform* by, texture::PatternKind kind,
                                  int scene_generator, scene::PovRay povray, std::vector<texture::Warp>& warps);
 /// Its warps alone, for a pattern that is otherwise compiled.

@@ -48,11 +48,12 @@ texture::TextureSet set_with_waves()
     return set;
 }
 
-texture::Pattern compiled(const scene::Pattern& description, texture::TextureSet& set)
+texture::Pattern compiled(const scene::Pattern& description, texture::TextureSet& set,
+                          scene::PovRay povray = scene::PovRay::V37)
 {
     const auto kind = plan::pattern_kind(description.name.empty() ? "bozo" : description.name);
     REQUIRE(kind);
-    return plan::compile_pattern(description, nullptr, *kind, 2, set.warps);
+    return plan::compile_pattern(description, nullptr, *kind, 2, povray, set.warps);
 }
 
 }  // namespace
@@ -89,6 +90,18 @@ TEST_CASE("patterns agree with the measured values", "[texture][pattern]")
             continue;
         }
         CHECK(v == Approx(m.numbers[3]).margin(2e-12).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("turbulence of marble and wood agrees with the values that POV-Ray 3.8 has", "[texture][pattern]")
+{
+    for (const Measured& m : measured("pattern_vectors_38.txt")) {
+        texture::TextureSet set;
+        const texture::Pattern pattern = compiled(test::read_statement(m.statement).pattern, set, scene::PovRay::V38);
+        const glm::dvec3 p = point(m);
+        INFO(m.statement << " at " << p.x << ' ' << p.y << ' ' << p.z);
+        CHECK(texture::pattern_value(set, pattern, texture::warp_point(set, pattern, p), {}) ==
+              Approx(m.numbers[3]).margin(2e-12).epsilon(1e-11));
     }
 }
 
