@@ -129,11 +129,11 @@ namespace {
 /// A ramp from black to white, rounded to four levels.
 std::string rows_of(Dither kind, const TransferCurve& curve, int rows)
 {
-    constexpr int kWidth = 48;
-    Image ramp{kWidth, rows, {}};
+    constexpr int kRamp = 48;
+    Image ramp{kRamp, rows, {}};
     for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const float v = (static_cast<float>(x) + 0.5f) / kWidth;
+        for (int x = 0; x < kRamp; ++x) {
+            const float v = (static_cast<float>(x) + 0.5f) / kRamp;
             ramp.pixels.insert(ramp.pixels.end(), {v, v, v, 0.0f});
         }
     Encoding encoding{{TransferCurve::linear(), curve}, 2};
@@ -142,7 +142,7 @@ std::string rows_of(Dither kind, const TransferCurve& curve, int rows)
     std::string out;
     for (std::size_t i = 0; i < made.samples.size(); i += 3) {
         out += static_cast<char>('0' + made.samples[i]);
-        if ((i / 3 + 1) % kWidth == 0) out += ' ';
+        if ((i / 3 + 1) % kRamp == 0) out += ' ';
     }
     return out;
 }
