@@ -28,8 +28,8 @@ TEST_CASE("the internal functions have the values that POV-Ray prints", "[functi
 
 TEST_CASE("internal functions end where the library ends", "[function]")
 {
-    CHECK(function::make_internal(78));
-    CHECK_FALSE(function::make_internal(79));
+    CHECK(function::make_internal(79));  // that of 3.8, which no text can name by its number
+    CHECK_FALSE(function::make_internal(80));
     CHECK(function::evaluate(*function::make_internal(77), std::vector<double>(3, 0.5).data(), function::no_host()) ==
           0);
 }

@@ -287,9 +287,9 @@ TEST_CASE("a word that is no item of its block is told with the items", "[parser
     const auto error = [](const std::string& text) { return errors_of(text).at(0).text; };
     CHECK(error("sphere { 0, 1 finish { shiny .5 } }") ==
           "'shiny' is no item of 'finish', and it is not declared; the items are ambient, brilliance, caustics, "
-          "conserve_energy, crand, diffuse, emission, ior, irid, metallic, phong, phong_size, reflection, "
-          "reflection_exponent, refraction, roughness, specular, subsurface, whittle_cool_warm, whittle_ink, "
-          "whittle_polished");
+          "conserve_energy, crand, diffuse, emission, fresnel, ior, irid, metallic, phong, phong_size, reflection, "
+          "reflection_exponent, refraction, roughness, specular, subsurface, use_alpha, whittle_cool_warm, "
+          "whittle_ink, whittle_polished");
     CHECK(error("sphere { 0, 1 finish { reflection { 1 mirrored } } }") ==
           "'mirrored' is no item of 'reflection', and it is not declared; the items are exponent, falloff, fresnel, "
           "metallic, whittle_gloss, whittle_schlick");

@@ -126,7 +126,7 @@ void dump(DumpWriter& out, const Finish& f)
     if (f.ink > 0) out.line("whittle_ink", text(f.ink) + ", " + text(f.ink_crease_deg));
     out.flag("conserve_energy", f.conserve_energy);
     if (f.fresnel != 0) out.line("fresnel", text(f.fresnel));
-    out.flag("use_alpha", f.use_alpha);
+    if (f.use_alpha) out.word("use_alpha");
     out.line("irid", text(f.irid) + " thickness " + text(f.irid_thickness) + " turbulence " + text(f.irid_turbulence));
     if (f.legacy_ior >= 0) out.line("ior", text(f.legacy_ior));
     if (f.legacy_caustics >= 0) out.line("caustics", text(f.legacy_caustics));
