@@ -18,6 +18,8 @@ def subject(scene):
     """The first comment, cut at its first sentence; where there is none the scene's name."""
     lines = []
     for line in scene.read_text(encoding="utf-8", errors="replace").splitlines():
+        if line.startswith("#version") and not lines:
+            continue
         if not line.startswith("//"):
             break
         lines.append(line.lstrip("/ ").strip())
