@@ -112,6 +112,6 @@ TEST_CASE("polarity and a text's character map are read", "[parser][3.8]")
 {
     CHECK(solid38_of<scene::Isosurface>("isosurface { function { x } polarity on }").polarity == 1.0);
     CHECK(solid38_of<scene::Isosurface>("isosurface { function { x } polarity -2 }").polarity == -2.0);
-    CHECK(error_of(k38 + "text { ttf \"/usr/share/povray-3.7/include/timrom.ttf\" cmap { 3, 0.5 } \"a\", 1, 0 }").find("whole numbers") !=
-          std::string::npos);
+    CHECK(error_of(k38 + "text { ttf \"/usr/share/povray-3.7/include/timrom.ttf\" cmap { 3, 0.5 } \"a\", 1, 0 }")
+              .find("whole numbers") != std::string::npos);
 }

@@ -137,7 +137,8 @@ TEST_CASE("what cannot be understood is an error that names it", "[app][options]
     CHECK_THROWS_WITH(settings_of({"+FN8g"}), "unknown output file type 'N8g'");
     CHECK_THROWS_WITH(settings_of({"+FX"}), "unknown output file type 'X'");
     CHECK_THROWS_WITH(settings_of({"Buffer_Size=3"}), "Buffer_Size is obsolete");
-    CHECK_THROWS_WITH(settings_of({"File_Gamma=-1"}), "File_Gamma wants a number above 0 or sRGB, BT709 or BT2020, found '-1'");
+    CHECK_THROWS_WITH(settings_of({"File_Gamma=-1"}),
+                      "File_Gamma wants a number above 0 or sRGB, BT709 or BT2020, found '-1'");
     CHECK_THROWS_WITH(settings_of({"--isa=v9"}), "--isa wants v2|v3|v4|auto, found 'v9'");
     CHECK_THROWS_AS(settings_of({"no-such-ini-file"}), OptionError);
 }
