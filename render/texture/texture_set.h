@@ -61,7 +61,7 @@ struct Finish {
     float reflection_power = 1;  ///< the mirrored colour is raised to it
     bool fresnel = false, conserve_energy = false;
     bool schlick = false;             ///< of fresnel: Schlick's approximation
-    bool own_light = false;           ///< it has something that is not shaded in lanes: an extension, or the next two
+    bool own_light = false;           ///< something of it is not shaded in lanes: an extension, or the next two
     bool use_alpha = false;           ///< opacity dims highlights and mirroring
     float own_fresnel = 0;            ///< share of Fresnel's law in its own light and highlights
     std::uint32_t extension = kNone;  ///< index into TextureSet::extensions

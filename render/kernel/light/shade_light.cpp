@@ -142,7 +142,8 @@ bool reaches(const ScalarRow& row, const light::Light& light, const LightSample&
 
 glm::vec3 direct_light(Context& context, const ScalarRow& row)
 {
-    if (row.finish.own_light && row.finish.extension != texture::kNone) [[unlikely]]
+    if (row.finish.own_light && row.finish.extension != texture::kNone &&
+        context.scene.textures.extensions[row.finish.extension].own_light()) [[unlikely]]
         return extended_light(context, row);
     const auto& lights = context.lights.lights;
     glm::vec3 sum(0);
