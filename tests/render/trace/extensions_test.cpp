@@ -191,4 +191,12 @@ TEST_CASE("ink lines run along silhouettes and creases, and nowhere else", "[ext
     CHECK(value(edge, 50) < 0.1f);  // the edge that faces the camera
     CHECK(value(edge, 40) == Approx(1.0f));
     CHECK(value(edge, 60) == Approx(1.0f));
+    // Within the lines a surface is lit as any other.
+    const auto lit = [&](const std::string& lines) {
+        return value(
+            extended_picture(head + "sphere { 0, 2 pigment { rgb 1 } finish { ambient 0 diffuse .5" + lines + " } }\n",
+                             kSize, kSize),
+            kSize / 2);
+    };
+    CHECK(lit(" whittle_ink 0.3") == Approx(lit("")));
 }
