@@ -64,7 +64,7 @@ glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const sc
 double seen_share(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, double eta)
 {
     const auto share = static_cast<double>(finish.own_fresnel);
-    return share == 0.0 ? 1.0 : 1.0 - share * fresnel_share(eta, std::abs(glm::dot(d, n)));
+    return share == 0.0 ? 1.0 : 1.0 - share * fresnel_share(eta, -glm::dot(d, n));
 }
 
 Finish met_by_light(const Finish& finish, double opacity, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l,
@@ -77,9 +77,9 @@ Finish met_by_light(const Finish& finish, double opacity, const glm::dvec3& d, c
     }
     if (finish.own_fresnel == 0.0f) return met;
     const auto share = static_cast<double>(finish.own_fresnel);
-    const double toward_light = fresnel_share(eta, std::abs(glm::dot(n, l)));
+    const double toward_light = fresnel_share(eta, glm::dot(n, l));  // 1 from behind
     const glm::dvec3 half = l - d;
-    const double toward_half = fresnel_share(eta, std::abs(glm::dot(half, d)) / glm::length(half));
+    const double toward_half = fresnel_share(eta, -glm::dot(half, d) / glm::length(half));
     const auto inward = static_cast<float>((1.0 - share * toward_light) * seen_share(finish, d, n, eta));
     met.diffuse *= inward;
     met.diffuse_back *= inward;
