@@ -56,8 +56,8 @@ struct PhotonPlaces {
     /// The first part of up to so many photons that POV-Ray comes to.
     PhotonCell cell(const glm::dvec3& point, std::size_t most) const
     {
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        PhotonCell out{0, size(), glm::dvec3(-kFar), glm::dvec3(kFar)};
+        constexpr double kEnd = std::numeric_limits<double>::infinity();
+        PhotonCell out{0, size(), glm::dvec3(-kEnd), glm::dvec3(kEnd)};
         while (out.end - out.first > most) {
             const std::size_t middle = (out.first + out.end - 1) / 2;
             const int side = axis[middle];

@@ -11,12 +11,13 @@ void shade_texture(Context& context, DirectBatch& batch, HitContext& hit, std::u
 {
     const auto& set = context.scene.textures;
     const texture::Shown shown = texture::shown_at(set, index, p, hit.around, hit.enclosing);
-    using Kind = texture::Texture::Kind;
-    if (shown.texture.kind == Kind::Layers) return shade_layers(context, batch, hit, shown.texture, shown.p, out);
+    using TextureKind = texture::Texture::Kind;
+    if (shown.texture.kind == TextureKind::Layers)
+        return shade_layers(context, batch, hit, shown.texture, shown.p, out);
     const auto shade = [&](std::uint32_t entry, ColorSlot slot) {
         shade_texture(context, batch, hit, set.children[entry], shown.p, slot);
     };
-    if (shown.texture.kind == Kind::Average) average_textures(context, shown.texture, out, shade);
+    if (shown.texture.kind == TextureKind::Average) average_textures(context, shown.texture, out, shade);
     else mix_textures(context, shown.blend, out, shade);
 }
 

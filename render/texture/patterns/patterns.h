@@ -14,6 +14,11 @@ namespace texture {
 /// numbers: interpolate.
 double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
 
+/// A pattern by a user function.
+void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);
+/// A colour's components by functions, 0 where there is none.
+void function_colors(const TextureSet& set, const ColorFunctions& functions, const Points& p, ColorPoints& out);
+
 /// A field at a point (spec 7b, 3). numbers: whether the threshold is taken off.
 double potential(const Potential& of, const Pattern& pattern, const glm::dvec3& p);
 void potential_values(const Potential& of, const Pattern& pattern, const Points& p, Values& out);
