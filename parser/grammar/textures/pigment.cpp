@@ -80,6 +80,16 @@ struct PigmentState : BlockState {
         keep_space(pattern);
         color = c;
     }
+    /// A pattern that has colours of its own; its keyword has just been read.
+    void set_mapless(Kind keyword)
+    {
+        set_plain({});
+        colors.clear();
+        pigments.clear();
+        pattern.name = spelling(keyword);
+        pattern.source = stream().last();
+        mapless = true;
+    }
 };
 
 namespace {
@@ -185,21 +195,11 @@ void read_head(PigmentState& s)
         s.set_plain(parser::color_expr(in));
         s.mapless = true;
     } else if (in.accept(Kind::ImageMap)) {
-        s.set_plain({});
-        s.colors.clear();
-        s.pigments.clear();
-        s.pattern.name = "image_map";
-        s.pattern.source = in.last();
+        s.set_mapless(Kind::ImageMap);
         s.pattern.data = read_image_block(s.build, true);
-        s.mapless = true;
     } else if (in.accept(Kind::UserDefined)) {
-        s.set_plain({});
-        s.colors.clear();
-        s.pigments.clear();
-        s.pattern.name = "user_defined";
-        s.pattern.source = in.last();
+        s.set_mapless(Kind::UserDefined);
         s.pattern.data = read_color_functions(s.build);
-        s.mapless = true;
     } else if (in.accept(Kind::UvMapping)) {
         s.pattern = {};
         s.pattern.name = "uv_mapping";

@@ -27,13 +27,22 @@ std::string_view bytes_of(const std::vector<T>& all, std::size_t first, std::siz
     return {reinterpret_cast<const char*>(all.data() + first), count * sizeof(T)};
 }
 
+/// 3000 patterns inside of each other, or what the stacks of threads that render them hold.
+int deepest_nest()
+{
+    constexpr std::size_t kLevel = 40 << 10;  // bytes of stack: 25 KB measured at most
+    constexpr std::size_t kMost = 3000;       // the first thread's 120 MB
+    using Control = tbb::global_control;
+    return static_cast<int>(std::min(kMost, Control::active_value(Control::thread_stack_size) / kLevel));
+}
+
 }  // namespace
 
 TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality& quality, texture::TextureSet& out,
                                  std::vector<scene::Unsupported>& notes)
     : scene_(scene), quality_(quality),
       ambient_(scene.effective_version < kLegacyVersion || !has_radiosity(scene.global, quality)), out_(out),
-      notes_(notes)
+      notes_(notes), deepest_(deepest_nest())
 {
     const scene::GlobalSettings& global = scene.global;
     out_.noise_generator = global.noise_generator;
@@ -43,14 +52,6 @@ TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality&
     out_.wave_sources.resize(waves);
     out_.wave_frequencies.resize(waves);
     texture::wave_sources(static_cast<int>(waves), out_.wave_sources.data(), out_.wave_frequencies.data());
-}
-
-int deepest_nest()
-{
-    constexpr std::size_t kLevel = 40 << 10;  // bytes of stack: 25 KB measured at most
-    constexpr std::size_t kMost = 3000;       // the first thread's 120 MB
-    using Control = tbb::global_control;
-    return static_cast<int>(std::min(kMost, Control::active_value(Control::thread_stack_size) / kLevel));
 }
 
 TextureCompiler::Level::Level(TextureCompiler& of, const scene::Pattern& pattern) : depth_(of.depth_)

@@ -21,9 +21,6 @@ struct PlacedTexture {
     friend auto operator<=>(const PlacedTexture&, const PlacedTexture&) = default;
 };
 
-/// Patterns that may lie inside of each other: 3000, or what the stacks of threads that render them hold.
-int deepest_nest();
-
 /// Turns descriptions of textures into the flat set, each shared description once.
 class TextureCompiler {
 public:
@@ -102,8 +99,8 @@ private:
     bool ambient_;  ///< finishes have theirs: radiosity takes its place since 3.7 (spec 6, 4.2)
     texture::TextureSet& out_;
     std::vector<scene::Unsupported>& notes_;
-    const int deepest_ = deepest_nest();
-    int depth_ = 0;  ///< see Level
+    const int deepest_;  ///< patterns that may lie inside of each other
+    int depth_ = 0;      ///< see Level
     struct HashOfPlaced {
         std::size_t operator()(const PlacedTexture& t) const
         {
