@@ -58,18 +58,20 @@ install_packages() {
     cat "$root/packages.txt" /etc/os-release >"$stamp"
 }
 
-# The kernels to build, by level of x86-64: all of them, or for ./run (`own`) the one that this processor runs, beside those that are
-# configured already.
+# The kernels to build, by level of x86-64: all of them; for ./check (`runnable`) those that this processor runs, since no test sees the
+# others; for ./run (`own`) the best of these, beside those that are configured already.
 kernels_for() {
-    local had level
+    local had levels
+    [[ -n ${2:-} ]] || { echo "v2;v3;v4"; return; }
     had=$(sed -n 's/^WHITTLE_ISA_LEVELS:STRING=//p' "$1/CMakeCache.txt" 2>/dev/null || true)
-    if [[ ${2:-} != own ]]; then
-        echo "v2;v3;v4"
-    elif [[ -n $had ]]; then
+    levels=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort)
+    levels=${levels:-v2}
+    if [[ $2 == own ]]; then
+        echo "${had:-${levels##*$'\n'}}"
+    elif [[ $had == "v2;v3;v4" ]]; then
         echo "$had"
     else
-        level=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort | tail -1)
-        echo "${level:-v2}"
+        echo "${levels//$'\n'/;}"
     fi
 }
 

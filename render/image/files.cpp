@@ -24,6 +24,7 @@ constexpr int kAnySide = 0x7fffffff, kSixteenBits = 0xffff;
 constexpr TypeFacts kTypes[] = {
     {FileType::Png, ".png", "png", true, true, false, true, kAnySide, 16},
     {FileType::Ppm, ".ppm", "pnm", false, true, false, true, kAnySide, 1},
+    {FileType::PpmPlain, ".ppm", "pnm", false, true, false, true, kAnySide, 1},
     {FileType::Targa, ".tga", "targa", true, false, false, false, kSixteenBits, 1},
     {FileType::TargaRunLength, ".tga", "targa", true, false, false, false, kSixteenBits, 16},
     {FileType::Jpeg, ".jpg", "jpeg", false, false, false, false, 65500, 16},
@@ -70,7 +71,7 @@ std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std
 {
     if (type == FileType::Png)
         return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
-    if (type == FileType::Ppm) return std::make_unique<PpmWriter>(path, shape);
+    if (is_ppm(type)) return std::make_unique<PpmWriter>(path, shape, type == FileType::PpmPlain);
     WriteRequest request{};
     request.format = facts(type).format;
     request.run_length = type == FileType::TargaRunLength;
@@ -86,7 +87,7 @@ Files::Files() : loader_(std::make_shared<IoLoader>()) {}
 
 void Files::prepare(FileType type) const
 {
-    if (type != FileType::Png && type != FileType::Ppm) loader_->start();
+    if (type != FileType::Png && !is_ppm(type)) loader_->start();
 }
 
 double least_bytes(FileType type, int width, int height, const Encoding& encoding)

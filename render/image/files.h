@@ -19,6 +19,7 @@ class ChannelWriter;
 enum class FileType : char {
     Png = 'N',
     Ppm = 'P',
+    PpmPlain = 'A',  ///< numbers as text (3.8's Compression=0)
     Targa = 'T',
     TargaRunLength = 'C',
     Jpeg = 'J',
@@ -27,6 +28,7 @@ enum class FileType : char {
     RadianceHdr = 'H'
 };
 
+constexpr bool is_ppm(FileType type) { return type == FileType::Ppm || type == FileType::PpmPlain; }
 const char* extension(FileType type);  ///< with the dot: ".png"
 bool stores_alpha(FileType type);
 bool stores_greyscale(FileType type);

@@ -8,6 +8,7 @@
 #include "render/scene/mesh_camera.h"
 #include "render/scene/object_list.h"
 #include "render/scene/rainbow.h"
+#include "render/scene/textures/gamma_curve.h"
 #include "render/scene/user_camera.h"
 
 #include <optional>
@@ -66,11 +67,8 @@ struct Fog {
     SourceRef source;
 };
 
-/// assumed_gamma as written (spec 2, 10.1).
-struct AssumedGamma {
-    enum class Kind { Unset, Power, Srgb } kind = Kind::Unset;
-    double exponent = 1.0;
-};
+/// Nothing: the text does not give it (spec 2, 10.1).
+using AssumedGamma = std::optional<GammaCurve>;
 
 struct GlobalSettings {
     AssumedGamma assumed_gamma;

@@ -47,7 +47,10 @@ void add_oversampling(Settings& out)
                            t.options.antialiasing.threshold = threshold;
                            t.options.antialiasing.depth = depth;
                        },
-                       {fmt::format("+A{:g}", threshold), "+AM3", fmt::format("+R{}", depth), "+AC0.9"}});
+                       {fmt::format("+A{:g}", threshold), "+AM3", fmt::format("+R{}", depth), "+AC0.9"},
+                       0.0,
+                       0.0,
+                       true});
 }
 
 void add_samples(Settings& out)

@@ -28,6 +28,7 @@ struct Setting {
     std::vector<std::string> switches;  ///< that ask POV-Ray for the same; empty: its text would have to change
     double asked_error = 0.0;           ///< levels of 255 that it promises; 0: none
     double asked_seconds = 0.0;         ///< that it is to take; 0: none
+    bool newer = false;                 ///< POV-Ray 3.8's alone
 };
 
 /// The settings that a scene has a use for; those of an effect that it lacks are left out.

@@ -41,6 +41,12 @@ Blend blend_at(const TextureSet& set, std::uint32_t first, std::uint32_t count, 
 /// Per component: differences single, product with the double share rounded, sum single (spec 4, 9.2).
 scene::Color mix(const scene::Color& lower, const scene::Color& upper, double share);
 
+/// The same by what a map says of it; `working`: the curve that colours are levels of (spec 7b, 9).
+scene::Color mix(const image::TransferCurve& working, const scene::Blending& blending, const scene::Color& lower,
+                 const scene::Color& upper, double share);
+/// What a map of colours has there.
+scene::Color mapped(const TextureSet& set, const scene::Blending& blending, const Blend& at);
+
 /// Sums of an average: weighted colours are added, then divided by the sum of the weights; single precision.
 void add_weighted(scene::Color& sum, float weight, const scene::Color& c);
 scene::Color divided(const scene::Color& sum, float weights);

@@ -200,17 +200,15 @@ void map_blends(const TextureSet& set, std::uint32_t first, std::uint32_t entrie
     }
 }
 
-void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
-                      const Points& points, ColorPoints& out)
+void color_map_points(const TextureSet& set, const Pigment& map, const Values& values, const Points& points,
+                      ColorPoints& out)
 {
-    const float* keys = set.keys.data() + first;
-    const scene::Color* colors = set.colors.data() + first;
-    if (!std::is_sorted(keys, keys + entries)) {
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Blend b = blend_at(set, first, entries, values[i]);
-            out.set(i,
-                    b.lower == b.upper ? set.colors[b.lower] : mix(set.colors[b.lower], set.colors[b.upper], b.share));
-        }
+    const float* keys = set.keys.data() + map.first;
+    const scene::Color* colors = set.colors.data() + map.first;
+    const std::uint32_t entries = map.count;
+    if (map.blending.mode != scene::Blending::Mode::Working || !std::is_sorted(keys, keys + entries)) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            out.set(i, mapped(set, map.blending, blend_at(set, map.first, entries, values[i])));
         return;
     }
     const std::size_t count = in_eights(points.size());

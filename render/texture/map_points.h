@@ -18,8 +18,8 @@ struct BlendPoints {
 void map_blends(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
                 std::size_t count, BlendPoints& out);
 
-/// The colours that a map of colours, entries first to first + entries, has at the values that points have.
-void color_map_points(const TextureSet& set, std::uint32_t first, std::uint32_t entries, const Values& values,
-                      const Points& points, ColorPoints& out);
+/// The colours that a map of colours has at the values that points have.
+void color_map_points(const TextureSet& set, const Pigment& map, const Values& values, const Points& points,
+                      ColorPoints& out);
 
 }  // namespace texture

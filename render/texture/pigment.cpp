@@ -31,6 +31,30 @@ scene::Color mix(const scene::Color& lower, const scene::Color& upper, double sh
             one(lower.filter, upper.filter), one(lower.transmit, upper.transmit)};
 }
 
+scene::Color mix(const image::TransferCurve& working, const scene::Blending& blending, const scene::Color& lower,
+                 const scene::Color& upper, double share)
+{
+    using Mode = scene::Blending::Mode;
+    if (blending.mode == Mode::Working) return mix(lower, upper, share);
+    scene::Color out;
+    const auto between = [&](const image::TransferCurve& of, float a, float b) {
+        const float from = of.encode(working.decode(a)), to = of.encode(working.decode(b));
+        return working.encode(of.decode(from + static_cast<float>(share * static_cast<double>(to - from))));
+    };
+    const image::TransferCurve light, levels = image::TransferCurve::power(blending.gamma);
+    const image::TransferCurve& mixed = blending.mode == Mode::Power ? levels : light;
+    out.red = between(mixed, lower.red, upper.red);
+    out.green = between(mixed, lower.green, upper.green);
+    out.blue = between(mixed, lower.blue, upper.blue);
+    out.filter = between(light, lower.filter, upper.filter);
+    out.transmit = between(light, lower.transmit, upper.transmit);
+    if (blending.mode != Mode::Brightness) return out;
+    const float grey = scene::grey(out.rgb()),
+                wanted = between(levels, scene::grey(lower.rgb()), scene::grey(upper.rgb()));
+    const float scale = grey == 0.0f ? 1.0f : wanted / grey;
+    return {scale * out.red, scale * out.green, scale * out.blue, out.filter, out.transmit};
+}
+
 void add_weighted(scene::Color& sum, float weight, const scene::Color& c)
 {
     sum.red += weight * c.red;
@@ -38,6 +62,12 @@ void add_weighted(scene::Color& sum, float weight, const scene::Color& c)
     sum.blue += weight * c.blue;
     sum.filter += weight * c.filter;
     sum.transmit += weight * c.transmit;
+}
+
+scene::Color mapped(const TextureSet& set, const scene::Blending& blending, const Blend& at)
+{
+    if (at.lower == at.upper) return set.colors[at.lower];
+    return mix(set.working, blending, set.colors[at.lower], set.colors[at.upper], at.share);
 }
 
 scene::Color divided(const scene::Color& sum, float weights)
@@ -85,13 +115,11 @@ scene::Color pigment_color(const TextureSet& set, std::uint32_t index, const glm
     if (pigment.kind == Pigment::Kind::Functions) return function_color(set, set.color_functions[pigment.first], q);
     if (pigment.kind == Pigment::Kind::Average) return average_color(set, pigment, q, around);
     const Blend blend = blend_at(set, pigment.first, pigment.count, pattern_value(set, pattern, q, around));
-    if (pigment.kind == Pigment::Kind::ColorMap) {
-        if (blend.lower == blend.upper) return set.colors[blend.lower];
-        return mix(set.colors[blend.lower], set.colors[blend.upper], blend.share);
-    }
+    if (pigment.kind == Pigment::Kind::ColorMap) return mapped(set, pigment.blending, blend);
     const scene::Color lower = pigment_color(set, set.children[blend.lower], q, around);
     if (blend.lower == blend.upper) return lower;
-    return mix(lower, pigment_color(set, set.children[blend.upper], q, around), blend.share);
+    const scene::Color upper = pigment_color(set, set.children[blend.upper], q, around);
+    return mix(set.working, pigment.blending, lower, upper, blend.share);
 }
 
 bool pigment_missing(const TextureSet& set, std::uint32_t index, const glm::dvec3& p, const Surroundings& around)

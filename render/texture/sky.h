@@ -35,6 +35,7 @@ struct Rainbow {
     glm::dvec3 antisolar{0}, right{0}, up{0};  ///< unit: where it is seen around, and the axes beside
     double angle = 0, width = 0, arc = 0, falloff = 0, distance = 0, jitter = 0;
     std::uint32_t first = 0, count = 0;
+    scene::Blending blending;
 };
 
 }  // namespace texture

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/program.h"
+#include "render/image/levels/transfer_curve.h"
 #include "render/scene/base/color.h"
 #include "render/scene/textures/volume.h"
 #include "render/texture/image.h"
@@ -25,7 +26,8 @@ using ColorFunctions = std::array<std::uint32_t, 5>;
 /// What a pigment, a normal or a texture with a pattern looks its value up in.
 struct Pigment {
     enum class Kind : std::uint8_t { Solid, ColorMap, PigmentMap, Average, Uv, Image, Functions } kind = Kind::Solid;
-    scene::Color color;  ///< Solid
+    scene::Color color;          ///< Solid
+    scene::Blending blending{};  ///< ColorMap, PigmentMap
     std::uint32_t pattern = kNone;
     std::uint32_t first = 0, count = 0;  ///< entries: keys[first..], and colors (ColorMap) or children beside them
 };
@@ -145,6 +147,7 @@ struct TextureSet {
     std::vector<float> keys;
     std::vector<scene::Color> colors;
     std::vector<std::uint32_t> children;
+    image::TransferCurve working;  ///< colours are levels of it
     std::vector<glm::dvec2> slopes;
     /// Source points and frequencies of `ripples` and `waves` (spec 4, 2.8); number_of_waves long.
     std::vector<glm::dvec3> wave_sources;

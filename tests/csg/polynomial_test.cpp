@@ -22,7 +22,7 @@ std::size_t term(int degree, int x, int y, int z)
 
 TEST_CASE("polynomial: the laws of a solid, from degree 3 to 8", "[csg][solid]")
 {
-    csg_test::each_degree(3, 8, 3, [](int degree, Rng& rng) {
+    csg_test::each_degree(3, 8, csg_test::share(3), [](int degree, Rng& rng) {
         std::vector<double> c(static_cast<std::size_t>((degree + 1) * (degree + 2) * (degree + 3) / 6));
         for (double& v : c) v = rng.uniform(-0.1, 0.1);
         // Closed around the middle where the degree is even, open where it is odd.
@@ -44,9 +44,10 @@ TEST_CASE("polynomial: the laws of a solid where the leading coefficient along a
         c[term(degree, degree, 0, 0)] = c[term(degree, 0, degree, 0)] = c[term(degree, 0, 0, degree)] = 1.0;
         c[term(degree, 1, 1, 1)] = 0.3;
         c.back() = -0.7;
-        check_solid(
-            Polynomial{std::make_shared<PolynomialShape>(degree, c), Transform::rotate_degrees({30, 40, 50})},
-            {.tolerance = 1e-12, .rays = 400, .least_hits = 40});  // measured: 1e-13; 1e-10 by the powers of t alone
+        check_solid(Polynomial{std::make_shared<PolynomialShape>(degree, c), Transform::rotate_degrees({30, 40, 50})},
+                    {.tolerance = 1e-12,
+                     .rays = csg_test::share(400),
+                     .least_hits = csg_test::share(40)});  // measured: 1e-13; 1e-10 by the powers of t alone
     }
 }
 

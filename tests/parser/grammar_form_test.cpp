@@ -20,7 +20,7 @@ void add_words(const Form& form, std::set<Kind>& words)
 
 /// Reserved, but read nowhere.
 const std::set<std::string> kUnused = {
-    "blend_gamma", "blend_mode", "breakpoint", "distance_maximum", "sblue", "sgreen", "sred", "steps",
+    "breakpoint", "distance_maximum", "sblue", "sgreen", "sred", "steps",
 };
 
 }  // namespace

@@ -159,8 +159,8 @@ TEST_CASE("pictures of POV-Ray 3.8: an angular map and the curves of television"
           scene::ImageMap::Projection::Angular);
     CHECK(error_of(before + "map_type 7" + after)
               .ends_with("map_type of an image_map is 0, 1, 2 or 5; of POV-Ray 3.8 also 7"));
-    CHECK(image(parsed(before + "gamma bt709" + after))->source.gamma->kind == scene::FileGamma::Kind::Bt709);
-    CHECK(image(parsed(before + "gamma bt2020" + after))->source.gamma->kind == scene::FileGamma::Kind::Bt2020);
+    CHECK(image(parsed(before + "gamma bt709" + after))->source.gamma->kind == scene::GammaCurve::Kind::Bt709);
+    CHECK(image(parsed(before + "gamma bt2020" + after))->source.gamma->kind == scene::GammaCurve::Kind::Bt2020);
 }
 
 TEST_CASE("a light moves with what has been given", "[parser][light]")

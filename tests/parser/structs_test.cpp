@@ -93,7 +93,7 @@ TEST_CASE("settings of pictures are members", "[parser][structs]")
     const auto& pattern = std::get<scene::Shared<scene::PatternedPigment>>(layers.front().pigment.kind)->pattern;
     const auto& image = *std::get<std::shared_ptr<const scene::ImageMap>>(pattern.data);
     CHECK((image.source.made() && image.source.picture->width == 3 && image.source.picture->height == 2 &&
-           image.source.gamma->kind == scene::FileGamma::Kind::Srgb));
+           image.source.gamma->kind == scene::GammaCurve::Kind::Srgb));
     CHECK(image.projection == scene::ImageMap::Projection::Torus);
     CHECK(image.interpolation == scene::ImageMap::Interpolation::NormalizedDistance);
     CHECK((image.once && image.repeat == glm::dvec2(2, 3) && image.offset == glm::dvec2(0) && !image.premultiplied));

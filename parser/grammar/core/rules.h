@@ -85,9 +85,10 @@ struct ranged : operand_rule<ranged<keyword, Limits>>, always {
     static double read(TokenStream& s) { return ranged_number<keyword, Limits>(s); }
     static Form form() { return Form::named(number_form); }
 };
-using srgb_or_number = pegtl::sor<token<Kind::Srgb>, a_number>;
+/// A curve of levels: BlockState::pop_curve() has it.
+using gamma_curve = pegtl::sor<any_token<Kind::Srgb, Kind::Bt709, Kind::Bt2020>, a_number>;
 template <>
-inline constexpr auto expected<srgb_or_number> = "a number";
+inline constexpr auto expected<gamma_curve> = "a number";
 /// What the action reads by itself: for the form alone.
 template <class... Rules>
 struct by_action : pegtl::success, always {
@@ -109,6 +110,13 @@ struct BlockState : OperandStack {
     int pop_int() { return whole_number(pop_float()); }
     bool pop_flag() { return pop_float() != 0.0; }
     glm::vec3 pop_rgb() { return pop_color().rgb(); }
+    scene::GammaCurve pop_curve()
+    {
+        using Curve = scene::GammaCurve::Kind;
+        if (operands() > 0) return {Curve::Power, pop_float()};
+        const Kind name = stream().taken_last().kind;
+        return {name == Kind::Srgb ? Curve::Srgb : name == Kind::Bt709 ? Curve::Bt709 : Curve::Bt2020};
+    }
 };
 
 /// The state of a block that fills one struct.

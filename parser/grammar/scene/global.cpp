@@ -10,16 +10,13 @@ struct GlobalState : BlockState {
 };
 
 /// The first one counts; `srgb` colours are read by it from here on.
-struct assumed_gamma : item<Kind::AssumedGamma, srgb_or_number> {
+struct assumed_gamma : item<Kind::AssumedGamma, gamma_curve> {
     static void act(GlobalState& s)
     {
-        scene::AssumedGamma gamma{scene::AssumedGamma::Kind::Srgb};
-        if (s.operands() > 0) {
-            gamma = {scene::AssumedGamma::Kind::Power, s.pop_float()};
-            if (!(gamma.exponent > 0)) s.fail("assumed_gamma must be above 0");
-        }
+        const scene::GammaCurve gamma = s.pop_curve();
+        if (!(gamma.exponent > 0)) s.fail("assumed_gamma must be above 0");
         scene::AssumedGamma& current = s.stream().language().assumed_gamma;
-        if (current.kind == scene::AssumedGamma::Kind::Unset) current = gamma;
+        if (!current) current = gamma;
         else s.warn("assumed_gamma was set before; the first one stays");
     }
 };

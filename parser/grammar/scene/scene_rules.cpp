@@ -211,7 +211,7 @@ void SceneBuilder::tell_missing_settings()
 {
     constexpr int kGamma = 370;
     const LanguageState& language = stream_->language();
-    if (language.assumed_gamma.kind == scene::AssumedGamma::Kind::Unset)
+    if (!language.assumed_gamma)
         stream_->warn(global_settings.value_or(stream_->start()),
                       language.effective_version() >= kGamma
                           ? "assumed_gamma is not given: it is 1.0 (global_settings { assumed_gamma 1.0 } says so)"

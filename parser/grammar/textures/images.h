@@ -10,22 +10,12 @@ namespace parser {
 /// `function w, h { }`. The picture itself is not read.
 scene::ImageSource read_image_source(SceneBuilder& build);
 Form image_source_form();
-using file_curve = pegtl::sor<any_token<Kind::Srgb, Kind::Bt709, Kind::Bt2020>, a_number>;
-template <>
-inline constexpr auto expected<file_curve> = "a number";
 /// `gamma` with a number or a curve's name, of a state that has an image's source.
-struct image_gamma : item<Kind::Gamma, file_curve> {
+struct image_gamma : item<Kind::Gamma, gamma_curve> {
     template <class State>
     static void act(State& s)
     {
-        scene::FileGamma& gamma = s.part(static_cast<scene::ImageSource*>(nullptr)).gamma.emplace();
-        if (s.operands() != 0) {
-            gamma.exponent = s.pop_float();
-            return;
-        }
-        using Curve = scene::FileGamma::Kind;
-        const Kind name = s.stream().taken_last().kind;
-        gamma.kind = name == Kind::Srgb ? Curve::Srgb : name == Kind::Bt709 ? Curve::Bt709 : Curve::Bt2020;
+        s.part(static_cast<scene::ImageSource*>(nullptr)).gamma = s.pop_curve();
     }
 };
 /// image_map, bump_map, image_pattern: the whole block. `colors`: filter and transmit may stand in it.

@@ -6,18 +6,42 @@ namespace {
 
 constexpr std::size_t kMostEntries = 256;
 
+/// How the entries blend: before the first one.
+scene::Blending read_blending(SceneBuilder& build)
+{
+    constexpr int kModes = 4;
+    TokenStream& in = build.stream();
+    scene::Blending out;
+    for (;;) {
+        if (in.accept(Kind::BlendMode)) {
+            const scene::SourceRef at = in.last();
+            const double mode = parser::float_expr(in);
+            if (!(mode >= 0 && mode < kModes)) in.fail(at, "blend_mode must be 0, 1, 2 or 3");
+            out.mode = static_cast<scene::Blending::Mode>(mode);
+        } else if (in.accept(Kind::BlendGamma)) {
+            const scene::SourceRef at = in.last();
+            out.gamma = static_cast<float>(parser::float_expr(in));
+            if (!(out.gamma > 0)) in.fail(at, "blend_gamma must be above 0");
+        } else {
+            return out;
+        }
+    }
+}
+
 /// `{ NAME }` or `{ [...] [...] }`; `entry` reads what stands between the brackets and appends to the map.
-template <class Map, class Entry>
+/// blends: the text may say how.
+template <class Map, bool blends = false, class Entry>
 Map read_map(SceneBuilder& build, const char* what, Entry&& entry)
 {
     TokenStream& in = build.stream();
     const auto guard = in.nest();
     const scene::SourceRef opened = build.open_block(what);
+    Map map;
+    if constexpr (blends) map.blending = read_blending(build);
     if (const auto declared = in.accept_identifier<std::shared_ptr<const Map>>()) {
         build.close_block(what, opened);
         return **declared;
     }
-    Map map;
     while (in.accept(Kind::LeftSquare)) {
         entry(map);
         in.expect(Kind::RightSquare, "']' at the end of the map's entry");
@@ -57,12 +81,18 @@ double read_weight(SceneBuilder& build, bool weights)
     return number ? read_key(build) : 1.0;
 }
 
-/// `{ NAME }` or entries with a key each.
-Form map_form(Form value)
+Form blending_form()
+{
+    const auto number = [](Kind keyword) { return Form::sequence({Form::token(keyword), form_of<a_number>()}); };
+    return Form::repeated(Form::choice({number(Kind::BlendMode), number(Kind::BlendGamma)}));
+}
+
+/// `{ NAME }` or entries with a key each, behind what `head` says.
+Form map_form(Form value, Form head = {})
 {
     const Form entry = Form::sequence({Form::token(Kind::LeftSquare), form_of<a_number>(), form_of<opt_comma>(),
                                        std::move(value), Form::token(Kind::RightSquare), form_of<opt_comma>()});
-    return Form::braces({Form::choice({Form::operand("identifier"), Form::repeated(entry, 1)})});
+    return Form::braces({std::move(head), Form::choice({Form::operand("identifier"), Form::repeated(entry, 1)})});
 }
 
 }  // namespace
@@ -70,10 +100,10 @@ Form map_form(Form value)
 Production color_map_block()
 {
     const Form old = Form::sequence({form_of<a_number>(), form_of<a_color>(), form_of<a_color>()});
-    return {"color_map_block", map_form(Form::choice({form_of<a_color>(), old}))};
+    return {"color_map_block", map_form(Form::choice({form_of<a_color>(), old}), blending_form())};
 }
 Production density_map_block() { return {"density_map_block", map_form(Form::named(density_body))}; }
-Production pigment_map_block() { return {"pigment_map_block", map_form(Form::named(pigment_body))}; }
+Production pigment_map_block() { return {"pigment_map_block", map_form(Form::named(pigment_body), blending_form())}; }
 Production normal_map_block() { return {"normal_map_block", map_form(Form::named(normal_body))}; }
 Production texture_map_block() { return {"texture_map_block", map_form(Form::named(texture_body))}; }
 Production slope_map_block() { return {"slope_map_block", map_form(form_of<a_pair>())}; }
@@ -81,7 +111,7 @@ Production slope_map_block() { return {"slope_map_block", map_form(form_of<a_pai
 scene::ColorMap read_color_map(SceneBuilder& build)
 {
     TokenStream& in = build.stream();
-    return read_map<scene::ColorMap>(build, "color_map", [&](scene::ColorMap& map) {
+    return read_map<scene::ColorMap, true>(build, "color_map", [&](scene::ColorMap& map) {
         const double key = read_key(build);
         if (at_map_color(in)) {
             map.push_back({key, parser::color_expr(in)});
@@ -110,7 +140,7 @@ scene::PigmentMap read_density_map(SceneBuilder& build, bool weights)
 
 scene::PigmentMap read_pigment_map(SceneBuilder& build, bool weights)
 {
-    return read_map<scene::PigmentMap>(build, "pigment_map", [&](scene::PigmentMap& map) {
+    return read_map<scene::PigmentMap, true>(build, "pigment_map", [&](scene::PigmentMap& map) {
         const double key = read_weight(build, weights);
         map.push_back({key, std::make_shared<scene::Pigment>(read_pigment_body(build, build.default_layer().pigment))});
     });

@@ -31,7 +31,8 @@ bool has_space(const scene::Pattern& pattern)
 
 bool same(const scene::ColorMap& a, const scene::ColorMap& b)
 {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    return a.blending == b.blending &&
+           std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& x, const auto& y) { return x.key == y.key && x.value == y.value; });
 }
 

@@ -1,20 +1,14 @@
-#include "numbers/functions/functions.h"
 #include "parser/stream/expressions/operand.h"
-
-#include <algorithm>
 
 namespace parser {
 namespace {
 
 /// sRGB decoding, then the working curve of assumed_gamma (spec 1, 4).
 /// In single precision, as POV-Ray keeps colours.
-double from_srgb(double written, const scene::AssumedGamma& gamma)
+double from_srgb(double written, const scene::GammaCurve& gamma)
 {
-    if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return written;
-    const auto v = static_cast<float>(written);
-    const float linear = v <= 0.04045f ? v / 12.92f : numbers::pow((v + 0.055f) / 1.055f, 2.4f);
-    if (gamma.exponent == 1.0) return linear;
-    return numbers::pow(std::max(linear, 0.0f), 1.0f / static_cast<float>(gamma.exponent));
+    if (gamma.kind == scene::GammaCurve::Kind::Srgb) return written;
+    return gamma.curve().encode(image::TransferCurve::srgb().decode(static_cast<float>(written)));
 }
 
 struct VectorItem {
@@ -60,9 +54,8 @@ Tuple read_vector_item(TokenStream& stream, const VectorItem& item, const scene:
     }
     if (item.encoded) {
         const scene::AssumedGamma& gamma = stream.language().assumed_gamma;
-        if (gamma.kind == scene::AssumedGamma::Kind::Unset)
-            stream.fail(at, "sRGB colors need an assumed_gamma before them in global_settings");
-        for (std::size_t i = 0; i < 3; ++i) value.at[i] = from_srgb(value.at[i], gamma);
+        if (!gamma) stream.fail(at, "sRGB colors need an assumed_gamma before them in global_settings");
+        for (std::size_t i = 0; i < 3; ++i) value.at[i] = from_srgb(value.at[i], *gamma);
     }
     value.count = 5;
     return value;

@@ -90,10 +90,7 @@ image::Dither dither_of(const Settings& settings, bool newer)
 image::FileSettings file_settings(const Settings& settings, const scene::Description& description)
 {
     std::optional<image::TransferCurve> assumed;
-    using Kind = scene::AssumedGamma::Kind;
-    const scene::AssumedGamma& gamma = description.global.assumed_gamma;
-    if (gamma.kind == Kind::Srgb) assumed = image::TransferCurve::srgb();
-    if (gamma.kind == Kind::Power) assumed = image::TransferCurve::power(static_cast<float>(gamma.exponent));
+    if (description.global.assumed_gamma) assumed = description.global.assumed_gamma->curve();
     // An option Version=3.7 turns gamma handling on for the output of an older scene too (spec 2, 10.1).
     const int version = std::max(description.effective_version, settings.version.value_or(0));
     image::FileSettings file;
@@ -103,9 +100,14 @@ image::FileSettings file_settings(const Settings& settings, const scene::Descrip
     constexpr int kLeastOf37 = 5;
     file.encoding.bits = newer ? settings.bits_per_color : std::max(settings.bits_per_color, kLeastOf37);
     if (settings.greyscale && !newer) file.encoding.bits = 16;
-    if (newer && file.type == image::FileType::Ppm && !settings.given.contains("File_Gamma"))
+    if (newer && settings.given.contains("Compression")) {
+        if (settings.compression == 0 && file.type == image::FileType::Ppm) file.type = image::FileType::PpmPlain;
+        if (settings.compression > 0 && file.type == image::FileType::Targa)
+            file.type = image::FileType::TargaRunLength;
+    }
+    if (newer && image::is_ppm(file.type) && !settings.given.contains("File_Gamma"))
         file.encoding.curves.file = image::TransferCurve::bt709();
-    if (settings.greyscale && file.type == image::FileType::Ppm)
+    if (settings.greyscale && image::is_ppm(file.type))
         file.encoding.curves.file = file.encoding.curves.working;  // PGM is linear (spec 2, 12.3)
     if (settings.dither) file.encoding.dither = dither_of(settings, newer);
     file.encoding.alpha = settings.alpha;

@@ -43,6 +43,7 @@ Error against run time of each scene, over the settings that it has a use for: a
   --solvers=FILE      a table of numerics_lab --csv: error against time of the solvers follows the scenes
   --povray-longest=S  POV-Ray is stopped after so long, and not asked again for that scene; usual: 300
   --povray=PROGRAM    the POV-Ray to measure beside, or off; usual: povray, where it is installed
+  --povray38=PROGRAM  a POV-Ray 3.8 for what 3.7 does not know, +AM3; usual: povray38, where it is installed
 
   --integrator=path   measure against a picture of paths, and paths beside all else
 
@@ -52,7 +53,7 @@ measured, 2 cancelled.
 
 struct Request {
     std::vector<std::string> scenes;
-    std::string out = "report.html", povray = "povray";
+    std::string out = "report.html", povray = "povray", povray38 = "povray38";
     double truth_error = 0.1, truth_seconds = 60.0, wanted = 1.0, longest = 20.0, povray_longest = 300.0;
     std::vector<study::SolverRow> solvers;
     Settings settings;
@@ -73,7 +74,7 @@ Request request_of(const std::vector<std::string>& arguments)
         const std::string name = word.substr(0, equals);
         const bool own = name == "-o" || name == "--out" || name == "--truth-error" || name == "--truth-seconds" ||
                          name == "--want" || name == "--longest" || name == "--povray" || name == "--povray-longest" ||
-                         name == "--solvers";
+                         name == "--solvers" || name == "--povray38";
         if (!own) {
             const bool scene = !word.starts_with('-') && !word.starts_with('+') && equals == std::string::npos &&
                                !word.ends_with('/') && !word.ends_with(".ini");
@@ -89,7 +90,7 @@ Request request_of(const std::vector<std::string>& arguments)
         else if (name == "--povray-longest") request.povray_longest = whole_positive(name, value);
         else if (name == "--solvers") request.solvers = study::read_solvers(value);
         else if (name == "--want") request.wanted = whole_positive(name, value);
-        else request.povray = value == "off" ? "" : value;
+        else (name == "--povray" ? request.povray : request.povray38) = value == "off" ? "" : value;
     }
     if (request.scenes.empty()) throw OptionError("no scene given: whittle report scene.pov, or whittle report --help");
     apply_command_line(request.settings, others);
@@ -114,7 +115,8 @@ std::string machine()
 
 class Reporter {
 public:
-    Reporter(const Request& request, Cancellation& cancel) : request_(request), cancel_(cancel), povray_(request.povray)
+    Reporter(const Request& request, Cancellation& cancel)
+        : request_(request), cancel_(cancel), povray_(request.povray), povray38_(request.povray38)
     {}
 
     int run()
@@ -184,13 +186,14 @@ private:
             if (!found) return;
             section.results.push_back(*found);
             took[setting.family] = std::max(took[setting.family], found->seconds);
-            if (povray_.found() && !setting.switches.empty() && section.povray_note.empty())
-                add_povray(file, setting, study, section);
+            const PovrayRuns& povray = setting.newer ? povray38_ : povray_;
+            if (povray.found() && !setting.switches.empty() && section.povray_note.empty())
+                add_povray(povray, file, setting, study, section);
         }
     }
 
-    void add_povray(const std::string& file, const study::Setting& setting, const study::Study& study,
-                    study::Section& section)
+    void add_povray(const PovrayRuns& povray, const std::string& file, const study::Setting& setting,
+                    const study::Study& study, study::Section& section)
     {
         const Settings& s = request_.settings;
         const unsigned all = std::max(1u, std::thread::hardware_concurrency());
@@ -204,7 +207,7 @@ private:
             switches.push_back(fmt::format("Declare={}={}", name, value));
         switches.insert(switches.end(), setting.switches.begin(), setting.switches.end());
         const auto start = std::chrono::steady_clock::now();
-        auto found = povray_.render(file, switches, files_, request_.povray_longest);
+        auto found = povray.render(file, switches, files_, request_.povray_longest);
         const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (!found && took >= request_.povray_longest)
             section.povray_note =
@@ -239,6 +242,7 @@ private:
         about.machine = machine();
         about.version = WHITTLE_VERSION;
         about.povray = povray_.version();
+        if (povray38_.found()) about.povray += (povray_.found() ? " and " : "") + povray38_.version();
         about.threads = request_.settings.threads > 0 ? request_.settings.threads
                                                       : static_cast<int>(std::thread::hardware_concurrency());
         about.wanted = request_.wanted;
@@ -298,7 +302,7 @@ private:
 
     const Request& request_;
     Cancellation& cancel_;
-    const PovrayRuns povray_;
+    const PovrayRuns povray_, povray38_;
     const image::Files files_;
 };
 

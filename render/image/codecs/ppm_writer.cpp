@@ -7,11 +7,15 @@
 
 namespace image {
 
-PpmWriter::PpmWriter(const std::string& path, const FileShape& shape)
+PpmWriter::PpmWriter(const std::string& path, const FileShape& shape, bool plain)
     : out_(path, std::ios::binary),
-      row_samples_(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels)), bits_(shape.bits)
+      row_samples_(static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels)), bits_(shape.bits),
+      channels_(shape.channels), plain_(plain)
 {
-    out_ << (shape.channels == 1 ? "P5" : "P6") << "\n# Software: " << shape.software << '\n'
+    out_ << (shape.channels == 1 ? plain ? "P2" : "P5"
+             : plain             ? "P3"
+                                 : "P6")
+         << "\n# Software: " << shape.software << '\n'
          << shape.width << ' ' << shape.height << '\n'
          << (1 << shape.bits) - 1 << '\n';
     if (!out_) fail_by_system(errno);
@@ -20,7 +24,12 @@ PpmWriter::PpmWriter(const std::string& path, const FileShape& shape)
 void PpmWriter::put(const std::uint16_t* samples)
 {
     bytes_.clear();
+    const auto channels = static_cast<std::size_t>(channels_);
     for (std::size_t i = 0; i < row_samples_; ++i) {
+        if (plain_) {
+            bytes_ += std::to_string(samples[i]) + (i % channels + 1 == channels ? '\n' : ' ');
+            continue;
+        }
         if (bits_ > 8) bytes_ += static_cast<char>(samples[i] >> 8);
         bytes_ += static_cast<char>(samples[i] & 0xff);
     }

@@ -1,8 +1,24 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
+
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace image {
+
+/// ITU-R's curves: a straight piece of this slope up to `knee`, then scale * x^0.45 - (scale - 1).
+struct TelevisionCurve {
+    float knee, scale;
+    static constexpr float kSlope = 4.5f, kExponent = 0.45f;
+    float encode(float x) const { return x < knee ? x * kSlope : scale * numbers::pow(x, kExponent) - (scale - 1.0f); }
+    float decode(float x) const
+    {
+        return x < knee * kSlope ? x / kSlope : numbers::pow((x + (scale - 1.0f)) / scale, 1.0f / kExponent);
+    }
+};
+inline constexpr TelevisionCurve kBt709{0.018f, 1.099f}, kBt2020{0.018053968510807f, 1.09929682680944f};
 
 /// How a light level is stored: `encode` maps linear light to the stored value, `decode` maps it back (spec 2, 10.2).
 /// Single precision, as POV-Ray computes it; nothing is clamped above 1.
@@ -16,11 +32,37 @@ struct TransferCurve {
     /// ITU-R BT.709-6 and BT.2020-2 (12 bits).
     static TransferCurve bt709() { return {Kind::Bt709, 1.9f}; }
     static TransferCurve bt2020() { return {Kind::Bt2020, 1.9f}; }
-    /// Within 1 % of an exponent of 1 the curve is the identity, so that negative values survive, as in POV-Ray.
-    static TransferCurve power(float decoding_gamma);
+    /// Within 1 % of an exponent of 1 the curve is the identity, so that negative values survive, as in POV-Ray (spec
+    /// 2, 10.2: File_Gamma 1.005 is the identity, 1.02 is not).
+    static TransferCurve power(float decoding_gamma)
+    {
+        constexpr float kIdentityExponent = 0.01f;
+        if (std::fabs(1.0f - 1.0f / decoding_gamma) <= kIdentityExponent) return linear();
+        return {Kind::Power, decoding_gamma};
+    }
 
-    float encode(float linear) const;
-    float decode(float stored) const;
+    float encode(float linear) const
+    {
+        switch (kind) {
+        case Kind::Linear: return linear;
+        case Kind::Power: return numbers::pow(std::max(linear, 0.0f), 1.0f / gamma);
+        case Kind::Bt709: return kBt709.encode(linear);
+        case Kind::Bt2020: return kBt2020.encode(linear);
+        case Kind::Srgb: break;
+        }
+        return linear <= 0.0031308f ? linear * 12.92f : 1.055f * numbers::pow(linear, 1.0f / 2.4f) - 0.055f;
+    }
+    float decode(float stored) const
+    {
+        switch (kind) {
+        case Kind::Linear: return stored;
+        case Kind::Power: return numbers::pow(std::max(stored, 0.0f), gamma);
+        case Kind::Bt709: return kBt709.decode(stored);
+        case Kind::Bt2020: return kBt2020.decode(stored);
+        case Kind::Srgb: break;
+        }
+        return stored < 0.04045f ? stored / 12.92f : numbers::pow((stored + 0.055f) / 1.055f, 2.4f);
+    }
     /// The exponent that comes nearest, for a file's gAMA entry: 2.2 for sRGB, 1.9 for those of television.
     float approximate_gamma() const { return kind == Kind::Linear ? 1.0f : gamma; }
     friend bool operator==(const TransferCurve&, const TransferCurve&) = default;

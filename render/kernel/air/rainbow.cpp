@@ -30,9 +30,7 @@ bool meets(const texture::Rainbow& bow, std::uint32_t number, const glm::dvec3& 
 
 scene::Color color_at(const texture::TextureSet& set, const texture::Rainbow& bow, double place)
 {
-    const texture::Blend blend = texture::blend_at(set, bow.first, bow.count, place);
-    if (blend.lower == blend.upper) return set.colors[blend.lower];
-    return texture::mix(set.colors[blend.lower], set.colors[blend.upper], blend.share);
+    return texture::mapped(set, bow.blending, texture::blend_at(set, bow.first, bow.count, place));
 }
 
 }  // namespace

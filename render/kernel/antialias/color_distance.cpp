@@ -10,6 +10,8 @@
 namespace trace {
 namespace {
 
+using Curve = scene::GammaCurve::Kind;
+
 /// Exponents this close to 1 count as 1, and then negative values are kept (spec 2, 8.1).
 constexpr double kIdentityExponent = 0.01;
 
@@ -25,19 +27,20 @@ FloatPart float_of(double value) { return FloatPart(static_cast<float>(value)); 
 
 ColorDistance::ColorDistance(const plan::Antialiasing& settings, const scene::AssumedGamma& gamma)
     : threshold_(static_cast<double>(static_cast<float>(settings.threshold))),
-      srgb_(gamma.kind == scene::AssumedGamma::Kind::Srgb)
+      srgb_(gamma && gamma->kind == Curve::Srgb)
 {
     const double display = settings.gamma > 0 ? settings.gamma : 1.0;
-    const double working = gamma.kind == scene::AssumedGamma::Kind::Power ? gamma.exponent : 1.0;
-    exponent_ = working / display;
-    identity_ = !srgb_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
-    in_lanes_ = !identity_ && exponent_ > 0.0 && exponent_ <= (srgb_ ? kMostAfterSrgb : kMostExponent);
+    const bool power = gamma && gamma->kind == Curve::Power;
+    if (gamma && !power && !srgb_) television_ = gamma;
+    exponent_ = (power ? gamma->exponent : 1.0) / display;
+    identity_ = !srgb_ && !television_ && std::abs(exponent_ - 1.0) <= kIdentityExponent;
+    in_lanes_ = !identity_ && !television_ && exponent_ > 0.0 && exponent_ <= (srgb_ ? kMostAfterSrgb : kMostExponent);
 }
 
 float ColorDistance::encode(float value) const
 {
     if (identity_) return value;
-    double v = static_cast<double>(value);
+    auto v = static_cast<double>(television_ ? television_->curve().decode(value) : value);
     if (srgb_) v = v <= kSrgbKnee ? v / kSrgbSlope : numbers::pow((v + kSrgbShift) / kSrgbScale, kSrgbExponent);
     return static_cast<float>(numbers::pow(std::max(v, 0.0), exponent_));
 }

@@ -91,6 +91,7 @@ private:
 
     double exponent_;
     double threshold_;
+    scene::AssumedGamma television_;  ///< what levels are decoded by first, if that is bt709 or bt2020
     bool srgb_;
     bool identity_;
     bool in_lanes_;  ///< powers in lanes know the exponent

@@ -23,10 +23,7 @@ bool ends_with_any(const std::string& path, std::initializer_list<const char*> e
 
 TransferCurve working_curve(const scene::Description& scene)
 {
-    const scene::AssumedGamma& gamma = scene.global.assumed_gamma;
-    if (gamma.kind == scene::AssumedGamma::Kind::Srgb) return TransferCurve::srgb();
-    return gamma.kind == scene::AssumedGamma::Kind::Power ? TransferCurve::power(static_cast<float>(gamma.exponent))
-                                                          : TransferCurve::linear();
+    return scene.global.assumed_gamma ? scene.global.assumed_gamma->curve() : TransferCurve::linear();
 }
 
 /// What the file says of itself; nothing if it is silent.
@@ -41,7 +38,7 @@ std::optional<TransferCurve> tagged(const image::Picture& picture)
 image::Transcoder levels_of(const scene::Description& scene, const scene::ImageSource& source, bool colors)
 {
     const bool legacy = scene.effective_version < kGammaVersion;
-    const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
+    const bool assumed = scene.global.assumed_gamma.has_value();
     if (source.made()) return {};
     if (source.gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), source.gamma->curve()};
     if (!colors || (legacy && !assumed)) return {};

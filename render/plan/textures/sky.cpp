@@ -60,6 +60,7 @@ std::vector<texture::Rainbow> compile_rainbows(const scene::Description& scene, 
         to.jitter = from.jitter;
         to.first = textures.color_map(from.colors);
         to.count = static_cast<std::uint32_t>(from.colors.size());
+        to.blending = from.colors.blending;
         out.push_back(to);
     }
     return out;

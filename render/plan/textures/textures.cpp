@@ -47,6 +47,7 @@ TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality&
     const scene::GlobalSettings& global = scene.global;
     out_.noise_generator = global.noise_generator;
     out_.irid_wavelength = global.irid_wavelength;
+    if (global.assumed_gamma) out_.working = global.assumed_gamma->curve();
     out_.legacy_opacity = scene.effective_version < kLegacyVersion;
     const auto waves = static_cast<std::size_t>(std::max(1, global.number_of_waves));
     out_.wave_sources.resize(waves);
@@ -227,6 +228,7 @@ std::uint32_t TextureCompiler::pigment_map(const scene::PatternedPigment& descri
     out.first = map.first;
     out.count = map.count;
     out.kind = colors ? Kind::ColorMap : Kind::PigmentMap;
+    out.blending = colors ? colors->blending : pigments->blending;
     if (out.count == 0) {
         out = {};
     } else if (out.pattern == texture::kNone) {

@@ -215,10 +215,10 @@ void dump(DumpWriter& out, const Camera& c)
 
 void dump(DumpWriter& out, const GlobalSettings& g)
 {
-    static constexpr const char* kGamma[] = {"unset", "power", "srgb"};
     out.open("global_settings");
-    out.line("assumed_gamma",
-             fmt::format("{} {}", kGamma[static_cast<int>(g.assumed_gamma.kind)], text(g.assumed_gamma.exponent)));
+    out.line("assumed_gamma", g.assumed_gamma
+                                  ? fmt::format("{} {}", g.assumed_gamma->name(), text(g.assumed_gamma->exponent))
+                                  : "unset 1");
     out.value("adc_bailout", g.adc_bailout);
     out.value("ambient_light", g.ambient_light);
     out.value("max_trace_level", g.max_trace_level);

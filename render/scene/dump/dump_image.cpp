@@ -14,8 +14,8 @@ void ImageSource::dump(DumpWriter& out) const
         out.words(kind, path);
     }
     if (!gamma) return;
-    if (gamma->kind == FileGamma::Kind::Power) out.words("gamma", gamma->exponent);
-    else out.line("gamma", fmt::format("\"{}\"", FileGamma::kNames[static_cast<std::size_t>(gamma->kind)]));
+    if (gamma->kind == GammaCurve::Kind::Power) out.words("gamma", gamma->exponent);
+    else out.line("gamma", fmt::format("\"{}\"", gamma->name()));
 }
 
 void ImageMap::dump(DumpWriter& out) const

@@ -165,6 +165,17 @@ void dump(DumpWriter& out, const Turbulence& t)
     out.value("omega", t.omega);
 }
 
+namespace {
+
+void dump(DumpWriter& out, const Blending& blending)
+{
+    if (blending == Blending()) return;
+    out.value("blend_mode", static_cast<double>(blending.mode));
+    out.value("blend_gamma", static_cast<double>(blending.gamma));
+}
+
+}  // namespace
+
 void dump(DumpWriter& out, const Pigment& pigment)
 {
     out.open("pigment");
@@ -174,6 +185,7 @@ void dump(DumpWriter& out, const Pigment& pigment)
     } else {
         const PatternedPigment& patterned = *std::get<Shared<PatternedPigment>>(pigment.kind);
         dump(out, patterned.pattern);
+        std::visit([&](const auto& map) { dump(out, map.blending); }, patterned.map);
         if (const auto* colors = std::get_if<ColorMap>(&patterned.map)) {
             for (const auto& entry : *colors) out.line("entry", text(entry.key) + " " + text(entry.value));
         } else {

@@ -6,6 +6,7 @@
 #include "render/scene/base/shared.h"
 #include "render/scene/base/source_ref.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,9 +87,27 @@ struct MapEntry {
 
 using PigmentPtr = std::shared_ptr<const Pigment>;
 
+/// How two neighbours of a map mix: `blend_mode` and `blend_gamma` (spec 7b, 9).
+struct Blending {
+    enum class Mode : std::uint8_t {
+        Working,    ///< levels of the scene's assumed_gamma
+        Linear,     ///< light
+        Power,      ///< levels of blend_gamma
+        Brightness  ///< light, as bright as levels of blend_gamma are
+    } mode = Mode::Working;
+    float gamma = 2.5f;  ///< above 0
+    friend bool operator==(const Blending&, const Blending&) = default;
+};
+
+template <class T>
+struct BlendMap : std::vector<MapEntry<T>> {
+    using std::vector<MapEntry<T>>::vector;
+    Blending blending;
+};
+
 /// color_map, pigment_map, list of colours or pigments (checker, ...: keys 0, 1, 2, ...).
-using ColorMap = std::vector<MapEntry<Color>>;
-using PigmentMap = std::vector<MapEntry<PigmentPtr>>;
+using ColorMap = BlendMap<Color>;
+using PigmentMap = BlendMap<PigmentPtr>;
 
 struct PatternedPigment {
     Pattern pattern;  ///< name "average" and "uv_mapping" included

@@ -308,7 +308,8 @@ void mapped_colors(const TextureSet& set, const Pigment& pigment, const BlendPoi
         }
     });
     for (std::size_t i = 0; i < p.size(); ++i)
-        if (blends.lower[i] != blends.upper[i]) out.set(i, mix(out.at(i), upper.at(i), blends.share[i]));
+        if (blends.lower[i] != blends.upper[i])
+            out.set(i, mix(set.working, pigment.blending, out.at(i), upper.at(i), blends.share[i]));
 }
 
 bool all_equal(const Values& values, std::size_t count)
@@ -320,12 +321,6 @@ bool all_equal(const Values& values, std::size_t count)
         if ((equal & wanted) != wanted) return false;
     }
     return true;
-}
-
-/// What a map of colours has there.
-scene::Color mapped(const TextureSet& set, const Blend& at)
-{
-    return at.lower == at.upper ? set.colors[at.lower] : mix(set.colors[at.lower], set.colors[at.upper], at.share);
 }
 
 void average_colors(const TextureSet& set, const Pigment& pigment, const Points& p, const Around& around,
@@ -372,9 +367,10 @@ void pigment_colors(const TextureSet& set, std::uint32_t index, const Points& p,
     Values values;
     raw_values(set, pattern, q, around, color_map ? raw_flat_ends(set, pigment, pattern) : FlatEnds{}, values);
     if (color_map && all_equal(values, q.size()))  // as beside a ball of density
-        return out.fill(mapped(set, blend_at(set, pigment.first, pigment.count, waved(pattern, values[0]))));
+        return out.fill(
+            mapped(set, pigment.blending, blend_at(set, pigment.first, pigment.count, waved(pattern, values[0]))));
     waved_points(pattern, q.size(), values);
-    if (color_map) return color_map_points(set, pigment.first, pigment.count, values, q, out);
+    if (color_map) return color_map_points(set, pigment, values, q, out);
     BlendPoints blends;
     map_blends(set, pigment.first, pigment.count, values, p.size(), blends);
     mapped_colors(set, pigment, blends, q, around, out);

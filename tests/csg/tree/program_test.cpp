@@ -180,7 +180,7 @@ TEST_CASE("the order of operands does not matter", "[csg][program]")
 
 TEST_CASE("De Morgan: the inverse of a merge is the intersection of the inverses", "[csg][program]")
 {
-    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint32_t seed = 0; seed < std::uint32_t(csg_test::share(1000)); ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
         Object o;
@@ -208,7 +208,7 @@ TEST_CASE("De Morgan: the inverse of a merge is the intersection of the inverses
 
 TEST_CASE("bounds hold everything that is seen", "[csg][program]")
 {
-    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint32_t seed = 0; seed < std::uint32_t(csg_test::share(1000)); ++seed) {
         INFO("seed " << seed);
         Rng rng(seed);
         Object o;

@@ -266,9 +266,9 @@ TEST_CASE("colours encoded together differ as each by itself", "[render][antiali
         out.threshold = threshold;
         return out;
     };
-    const scene::AssumedGamma srgb{scene::AssumedGamma::Kind::Srgb, 1.0}, power{scene::AssumedGamma::Kind::Power, 1.8},
-        odd{scene::AssumedGamma::Kind::Power, 300.0};
-    for (const auto& gamma : {srgb, power, odd})
+    using Kind = scene::GammaCurve::Kind;
+    for (const scene::GammaCurve gamma :
+         {scene::GammaCurve{Kind::Srgb}, {Kind::Power, 1.8}, {Kind::Power, 300.0}, {Kind::Bt709}})
         for (int round = 0; round < 200; ++round) {
             std::vector<scene::Color> colors;
             for (int i = 0; i < 13; ++i) colors.push_back({unit(random), unit(random), unit(random), 0, unit(random)});
@@ -318,9 +318,8 @@ TEST_CASE("colours encoded together are close enough for differ()", "[render][an
 {
     std::mt19937 random(13);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-    const scene::AssumedGamma srgb{scene::AssumedGamma::Kind::Srgb, 1.0}, one{scene::AssumedGamma::Kind::Power, 1.0},
-        two{scene::AssumedGamma::Kind::Power, 2.2};
-    for (const auto& gamma : {srgb, one, two})
+    using Kind = scene::GammaCurve::Kind;
+    for (const scene::GammaCurve gamma : {scene::GammaCurve{Kind::Srgb}, {Kind::Power, 1.0}, {Kind::Power, 2.2}})
         for (const double display : {0.4, 1.0, 2.2, 2.5}) {
             plan::Antialiasing antialiasing = settings(1, 3, 0);
             antialiasing.gamma = display;

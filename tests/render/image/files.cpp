@@ -54,10 +54,26 @@ TEST_CASE("a written picture reads back as the same integers", "[image][files]")
         for (const int channels : {1, 3, 4})
             check_round_trip(files, folder / "picture.png", ramp(37, 11, channels, bits), FileType::Png);
     }
-    check_round_trip(files, folder / "picture.ppm", ramp(37, 11, 3, 8), FileType::Ppm);
+    for (const FileType type : {FileType::Ppm, FileType::PpmPlain})
+        check_round_trip(files, folder / "picture.ppm", ramp(37, 11, 3, 8), type);
     check_round_trip(files, folder / "raw.tga", ramp(37, 11, 4, 8), FileType::Targa);
     check_round_trip(files, folder / "runs.tga", ramp(37, 11, 3, 8), FileType::TargaRunLength);
     check_round_trip(files, folder / "picture.bmp", ramp(37, 11, 3, 8), FileType::Bmp);
+}
+
+TEST_CASE("a plain PPM has a pixel a line, a plain PGM a level", "[image][files]")
+{
+    const support::TemporaryFolder folder;
+    const Files files;
+    files.write(folder / "colors.ppm", Raster{1, 2, 3, 16, {1, 2, 65535, 0, 300, 4}}, FileType::PpmPlain,
+                TransferCurve::linear());
+    const std::string colors = text_of(folder / "colors.ppm");
+    CHECK(colors.starts_with("P3\n#"));
+    CHECK(colors.ends_with("\n1 2\n65535\n1 2 65535\n0 300 4\n"));
+    files.write(folder / "greys.pgm", Raster{2, 1, 1, 8, {7, 255}}, FileType::PpmPlain, TransferCurve::linear());
+    const std::string greys = text_of(folder / "greys.pgm");
+    CHECK(greys.starts_with("P2\n#"));
+    CHECK(greys.ends_with("\n2 1\n255\n7\n255\n"));
 }
 
 TEST_CASE("the same picture gives the same bytes", "[image][files]")

@@ -96,6 +96,8 @@ std::uint32_t random_pigment(Rng& rng, TextureSet& set, int depth)
                             float(rng.uniform(0, 1)) * clear};
     };
     pigment.color = color();
+    if (rng.below(6) == 0)
+        pigment.blending = {static_cast<scene::Blending::Mode>(rng.below(4)), float(rng.uniform(0.3, 3.0))};
     pigment.count = static_cast<std::uint32_t>(1 + rng.below(rng.below(4) == 0 ? 40 : 5));
     if (pigment.kind == Kind::ColorMap && rng.below(8) == 0) pigment.count += 200;
     std::vector<std::uint32_t> children(pigment.count, 0);

@@ -15,7 +15,7 @@ FrameList list_of(const std::vector<std::string>& arguments)
     return frames_of(settings);
 }
 
-std::vector<int> numbers(const FrameList& list)
+std::vector<int> frame_numbers(const FrameList& list)
 {
     std::vector<int> found;
     for (const Frame& frame : list.frames) found.push_back(frame.number);
@@ -49,16 +49,16 @@ TEST_CASE("frames and clocks as POV-Ray's", "[app][frames]")
     CHECK(cyclic.final_frame == 4);
     CHECK(cyclic.last_frame == 3);
     const FrameList part = list_of({"+KFI2", "+KFF4", "+KI10", "+KF20"});
-    CHECK(numbers(part) == std::vector<int>{2, 3, 4});
+    CHECK(frame_numbers(part) == std::vector<int>{2, 3, 4});
     CHECK(clocks(part) == std::vector<float>{10.0f, 15.0f, 20.0f});
 }
 
 TEST_CASE("subsets and steps", "[app][frames]")
 {
-    CHECK(numbers(list_of({"+KFF10", "+SF3", "+EF5"})) == std::vector<int>{3, 4, 5});
-    CHECK(numbers(list_of({"+KFF10", "+SF0.3", "+EF0.5"})) == std::vector<int>{3, 4, 5});
+    CHECK(frame_numbers(list_of({"+KFF10", "+SF3", "+EF5"})) == std::vector<int>{3, 4, 5});
+    CHECK(frame_numbers(list_of({"+KFF10", "+SF0.3", "+EF0.5"})) == std::vector<int>{3, 4, 5});
     CHECK(list_of({"+KFF10", "+SF3", "+EF5"}).frames[0].clock == 0.222222224f);
-    CHECK(numbers(list_of({"+KFF10", "+STP3"})) == std::vector<int>{1, 4, 7, 10});
+    CHECK(frame_numbers(list_of({"+KFF10", "+STP3"})) == std::vector<int>{1, 4, 7, 10});
     CHECK(clocks(list_of({"+KFI5"})) == std::vector<float>{0.0f});
 }
 
@@ -66,15 +66,17 @@ TEST_CASE("frames without end are refused", "[app][frames]")
 {
     CHECK_THROWS_WITH(list_of({"+KFF2000000000"}), "frames have numbers up to 1000000000");
     CHECK_THROWS_WITH(list_of({"+KFF1000000000"}), "an animation has at most 10000000 frames, these are 1000000000");
-    CHECK(numbers(list_of({"+KFF1000000000", "+STP2000000000"})) == std::vector<int>{1});
-    CHECK(numbers(list_of({"+KFF1000000000", "+SF999999999", "+EF1e300"})) == std::vector<int>{999999999, 1000000000});
+    CHECK(frame_numbers(list_of({"+KFF1000000000", "+STP2000000000"})) == std::vector<int>{1});
+    CHECK(frame_numbers(list_of({"+KFF1000000000", "+SF999999999", "+EF1e300"})) ==
+          std::vector<int>{999999999, 1000000000});
 }
 
 TEST_CASE("a list names frames of the animation", "[app][frames]")
 {
-    CHECK(numbers(list_of({"+KFF30", "--frames=2,4,10-20:5"})) == std::vector<int>{2, 4, 10, 15, 20});
-    CHECK(numbers(list_of({"+KFF30", "--frames=9,7-9,8"})) == std::vector<int>{7, 8, 9});
-    CHECK(numbers(list_of({"+KFF30", "+SF3", "+EF5", "--frames=29"})) == std::vector<int>{29});  // instead of a subset
+    CHECK(frame_numbers(list_of({"+KFF30", "--frames=2,4,10-20:5"})) == std::vector<int>{2, 4, 10, 15, 20});
+    CHECK(frame_numbers(list_of({"+KFF30", "--frames=9,7-9,8"})) == std::vector<int>{7, 8, 9});
+    CHECK(frame_numbers(list_of({"+KFF30", "+SF3", "+EF5", "--frames=29"})) ==
+          std::vector<int>{29});  // instead of a subset
     CHECK(list_of({"+KFF10", "--frames=3"}).frames[0].clock == list_of({"+KFF10", "+SF3", "+EF3"}).frames[0].clock);
     CHECK(list_of({"+KFF100", "--frames=3"}).digits == 3);
     CHECK_THROWS_WITH(list_of({"--frames=3"}), Catch::StartsWith("--frames is for an animation"));
