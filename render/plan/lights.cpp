@@ -61,8 +61,7 @@ struct ProjectingObject final : light::Projector {
 
 }  // namespace
 
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality,
-                           scene::PovRay povray)
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     light::Light out;
@@ -95,7 +94,7 @@ light::Light compile_light(const scene::Light& description, const csg::Transform
     out.tightness = description.tightness;
     out.fade_distance = description.fade_distance;
     out.fade_power = description.fade_power;
-    out.fades_from_start = povray == scene::PovRay::V38 && out.fade_power > 0.0 &&
+    out.fades_from_start = description.fades_from_start && out.fade_power > 0.0 &&
                            std::abs(out.fade_distance) <= light::kLeastFadeDistance;
     out.area = description.area && quality.area_lights;
     out.area_illumination = out.area && description.area_illumination;

@@ -8,7 +8,6 @@ namespace plan {
 
 /// One light in world space. `to_world` includes the transformation of the object that holds the light.
 /// quality: without area lights they are points.
-light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality,
-                           scene::PovRay povray);
+light::Light compile_light(const scene::Light& description, const csg::Transform& to_world, const Quality& quality);
 
 }  // namespace plan

@@ -150,6 +150,7 @@ struct Light {
     bool parallel = false, shadowless = false;
     bool directional = false;  ///< with parallel: `point_at` is where it shines to, from anywhere
     double fade_distance = 0, fade_power = 0;
+    bool fades_from_start = false;  ///< made under #version 3.8: without a fade_distance the power counts alone
     bool area = false, circular = false, orient = false, jitter = false, area_illumination = false;
     glm::dvec3 axis1{0}, axis2{0};
     int size1 = 1, size2 = 1, adaptive = 0;

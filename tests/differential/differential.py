@@ -36,8 +36,9 @@ def compare_one(options, folder, kind, seed):
     if kind in scenes.NOISY:
         state, detail = noisy.verdict(options, folder, name)
         return kind, seed, state, detail
-    ours = programs.render(options.whittle, folder, name, (80, 60), "whittle")
-    theirs = programs.render(options.povray38 if kind in scenes.NEWER else options.povray, folder, name, (80, 60), "povray")
+    whittle, povray = (options.whittle + " --povray=3.8", options.povray38) if kind in scenes.NEWER else (options.whittle, options.povray)
+    ours = programs.render(whittle, folder, name, (80, 60), "whittle")
+    theirs = programs.render(povray, folder, name, (80, 60), "povray")
     state, detail = programs.verdict(ours, theirs)
     if state == "agree" and not options.keep:
         for left in folder.glob(f"{name}.*"):

@@ -131,7 +131,9 @@ TEST_CASE("a potential has a blob or an isosurface, and values of any size until
         error_of("plane { y, 0 pigment { potential { object { isosurface { function { x } } scale 2 } } } }").empty());
     CHECK(error_of("plane { y, 0 pigment { potential { union { sphere { 0, 1 } } } } }") ==
           "1:36: error: 'potential' takes a blob or an isosurface");
-    CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") == "1:39: error: only potential takes 'threshold'");
+    CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") ==
+          "1:29: error: expected an item of 'pigment' or '}', found 'threshold'");
+    CHECK(error_of("plane { y, 0 normal { potential { blob { sphere { 0, 1, 2 } } } threshold on 0.3 sine_wave } }").empty());
 }
 
 TEST_CASE("crackle repeats after whole numbers of cells", "[parser][texture]")

@@ -42,13 +42,15 @@ Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top), distance_(bo
     }
 }
 
-/// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger.
+/// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger. Where the
+/// second sphere is the larger one the middle lies above that sphere's in POV-Ray 3.8, never below (spec 7c, 2).
 Ovus::Ovus(double bottom, double top, double distance, double arc)
     : bottom_(bottom), top_(top), distance_(distance), arc_(arc)
 {
     const double b = arc - bottom, t = arc - top;
     height_ = ((b - t) * (b + t) / distance + distance) / 2.0;
     offset_ = std::sqrt(glm::max((b - height_) * (b + height_), 0.0));
+    if (top > bottom) height_ = distance + std::abs(distance - height_);
     low_ = -height_ * bottom / b;
     high_ = distance + (distance - height_) * top / t;
 }
@@ -95,7 +97,8 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
     // `wanted` is enough where one crossing is; a little more, so that rounding cannot make it none.
     const double start = out.from * length, slack = 1e-12 * (std::abs(start) + std::abs(shift) + arc_);
     const double wanted = out.first_only ? start - shift + slack : kInfinity;
-    const double low[] = {-kInfinity, high_, low_}, high[] = {low_, kInfinity, high_};  // by face
+    const double tip = height_ - std::sqrt((arc_ - offset_) * (arc_ + offset_));  // where the arc begins on the axis
+    const double low[] = {-kInfinity, high_, glm::max(low_, tip)}, high[] = {low_, kInfinity, high_};  // by face
     Interval found{kInfinity, -kInfinity};
     const auto zone = [&](std::uint32_t face) {
         Interval part;

@@ -184,6 +184,9 @@ struct color_map : item<Kind::ColorMap, reads<color_map_block>> {
     }
 };
 
+/// From this #version on a power counts without a fade_distance (spec 7c, 8); in hundredths.
+constexpr int kFadesAlone = 380;
+
 using scene::Light;
 using LightItems = either<
     table<LightState, directional, spotlight, cylinder, shadowless, point_at, of_cone<Kind::Radius, &Light::radius_deg>,
@@ -229,6 +232,7 @@ scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source)
     LightState s(build, object);
     s.light().color = glm::vec3(0);
     LightBlock::read(build, s);
+    s.light().fades_from_start = build.stream().povray() == scene::PovRay::V38 && build.version() >= kFadesAlone;
     check_circular(s);
     return object;
 }

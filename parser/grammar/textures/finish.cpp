@@ -60,7 +60,7 @@ struct fresnel : item<Kind::Fresnel, number_or<1>> {
     }
 };
 /// Of all light of the surface, and of its mirror unless what follows says otherwise (spec 7b, 1).
-struct finish_fresnel : item<Kind::Fresnel, a_number> {
+struct finish_fresnel : item<Kind::Fresnel, number_or<1>> {
     static void act(FinishState& s)
     {
         if (s.stream().strictly_37()) s.fail("'fresnel' of a whole finish is a word of POV-Ray 3.8");

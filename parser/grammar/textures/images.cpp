@@ -230,6 +230,7 @@ scene::ImageSource read_image_source(SceneBuilder& build)
 {
     TokenStream& in = build.stream();
     scene::ImageSource source;
+    source.version = in.language().effective_version();
     for (const ImageKind& kind : image_kinds()) {
         if (!in.accept(kind.keyword)) continue;
         source.kind = spelling(kind.keyword);

@@ -74,14 +74,6 @@ struct metric : item<Kind::Metric, a_number> {
 struct solid : item<Kind::Solid> {
     static void act(ModifierState& s) { s.set("crackle", 2, 1); }
 };
-/// Whether the potential is told less its object's threshold; other types do not take it (POV-Ray 3.8).
-struct less_threshold : item<Kind::Threshold, a_number> {
-    static void act(ModifierState& s)
-    {
-        if (s.pattern.name != "potential") s.fail("only potential takes 'threshold'");
-        s.pattern.numbers[0] = s.pop_float() != 0.0 ? 1.0 : 0.0;
-    }
-};
 /// Whole numbers of cells, cut off; other types do not take it (POV-Ray 3.8).
 struct crackle_repeat : item<Kind::Repeat, a_vector> {
     static void act(ModifierState& s)
@@ -243,7 +235,7 @@ using Modifiers = table<
     wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, parameter<Kind::AgateTurb, Kind::Agate, 0>,
     brick_size, parameter<Kind::Mortar, Kind::Brick, 0>, parameter<Kind::Control0, Kind::Quilted, 0>,
     parameter<Kind::Control1, Kind::Quilted, 1>, form, metric, parameter<Kind::Offset, Kind::Crackle, 1>, solid,
-    crackle_repeat, less_threshold, parameter<Kind::Size, Kind::Facets, 0>, parameter<Kind::Coords, Kind::Facets, 1>,
+    crackle_repeat, parameter<Kind::Size, Kind::Facets, 0>, parameter<Kind::Coords, Kind::Facets, 1>,
     exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>, parameter<Kind::NumberOfSides, Kind::Pavement, 0>,
     parameter<Kind::NumberOfTiles, Kind::Pavement, 1>, parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
 

@@ -236,12 +236,19 @@ struct object : item<Kind::Object, reads<object_list>> {
 };
 /// Values of any size; frequency and phase count behind a wave's name only.
 Production potential_block() { return {"potential_block", Form::braces({Form::named(any_object)})}; }
-struct potential : item<Kind::Potential, reads<potential_block>> {
+struct less_threshold : seq<a_number> {};
+struct potential
+    : item<Kind::Potential, reads<potential_block>, by_action<pegtl::star<token<Kind::Threshold>, less_threshold>>> {
     static void act(PatternState& s)
     {
         set_type(s, "potential");
         s.pattern.data = read_potential(s.build);
         s.pattern.numbers = {0};
+        // Right behind the block, before a normal's amount; the last one counts (spec 7b, 3).
+        while (s.stream().accept(Kind::Threshold)) {
+            read_rule<less_threshold>(s.build, s);
+            s.pattern.numbers[0] = s.pop_flag() ? 1.0 : 0.0;
+        }
         s.pattern.wave = scene::WaveForm::Raw;
     }
 };
@@ -272,6 +279,8 @@ template <>
 inline constexpr auto expected<iterations> = "the number of iterations";
 template <>
 inline constexpr auto expected<julia_constant> = "the julia set's constant, as in <0.353, 0.288>";
+template <>
+inline constexpr auto expected<less_threshold> = "whether the object's threshold is taken off the potential";
 template <>
 inline constexpr auto expected<magnet_type> = "the magnet's type, 1 or 2";
 

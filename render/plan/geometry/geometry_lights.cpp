@@ -29,7 +29,7 @@ void GeometryCompiler::collect_lights(const scene::Object& object, const Inherit
 
 void GeometryCompiler::add_light(const scene::Object& object, const scene::Light& light, const Inherited& above)
 {
-    light::Light compiled = compile_light(light, above.to_world, options_.quality, description_.povray);
+    light::Light compiled = compile_light(light, above.to_world, options_.quality);
     compiled.group = above.light_group;
     if (compiled.color == glm::vec3(0) && options_.lean.takes(LeanStep::BlackLights)) {
         ++black_lights_;

@@ -37,8 +37,13 @@ std::optional<TransferCurve> tagged(const image::Picture& picture)
 /// From the file's levels to those of the scene (spec 4, 12.4).
 image::Transcoder levels_of(const scene::Description& scene, const scene::ImageSource& source, bool colors)
 {
+<<<<<<< HEAD
     const bool legacy = scene.effective_version < kGammaVersion;
     const bool assumed = scene.global.assumed_gamma.has_value();
+=======
+    const bool legacy = source.version < kGammaVersion;
+    const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
+>>>>>>> a31ec271 (Random scenes of POV-Ray 3.8's textures and solids; what the first of them showed)
     if (source.made()) return {};
     if (source.gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), source.gamma->curve()};
     if (!colors || (legacy && !assumed)) return {};
@@ -146,7 +151,7 @@ texture::Image compile_image(const scene::Description& scene, const scene::Image
     else take_samples(levels, ends_with_any(source.path, {".png"}), out);
     const bool asked = colors || written.use == scene::ImageMap::Use::Alpha, clear = asked && image_is_clear(out);
     out.clear_in_file = written.once || clear;
-    apply_transparency(written, scene.povray == scene::PovRay::V38 && scene.effective_version >= kFadesVersion, out);
+    apply_transparency(written, scene.povray == scene::PovRay::V38 && source.version >= kFadesVersion, out);
     for (const scene::Color& color : out.palette) out.clear_in_file = out.clear_in_file || color.transmit != 0.0f;
     out.opaque = written.clarities.empty() ? !clear : !(asked && image_is_clear(out));
     out.premultiplied = picture.premultiplied;

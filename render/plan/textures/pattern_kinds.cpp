@@ -84,6 +84,21 @@ void set_numbers(const scene::Pattern& from, texture::Pattern& to)
     }
 }
 
+/// Values that stand for one of a list each, which POV-Ray 3.8 gives no frequency, phase or wave (spec 7b, 10).
+bool stands_for_place(PatternKind kind)
+{
+    switch (kind) {
+    case PatternKind::Brick:
+    case PatternKind::Checker:
+    case PatternKind::Cubic:
+    case PatternKind::Hexagon:
+    case PatternKind::Object:
+    case PatternKind::Square:
+    case PatternKind::Triangular: return true;
+    default: return false;
+    }
+}
+
 }  // namespace
 
 std::optional<texture::PatternKind> pattern_kind(const std::string& keyword)
@@ -114,10 +129,14 @@ texture::Pattern compile_pattern(const scene::Pattern& description, const csg::T
     out.kind = kind;
     out.noise_generator =
         static_cast<std::uint8_t>(description.noise_generator ? description.noise_generator : scene_generator);
-    out.wave = description.wave;
-    out.frequency = single(description.frequency);
-    out.phase = single(description.phase);
-    out.poly_exponent = single(description.poly_exponent);
+    if (povray == scene::PovRay::V38 && stands_for_place(kind)) {
+        out.frequency = 0.0;
+    } else {
+        out.wave = description.wave;
+        out.frequency = single(description.frequency);
+        out.phase = single(description.phase);
+        out.poly_exponent = single(description.poly_exponent);
+    }
     out.folds = out.frequency != 0.0;
     set_numbers(description, out);
     compile_warps(description, by, out, warps);

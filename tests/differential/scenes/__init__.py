@@ -5,14 +5,14 @@ import picture_files
 import png
 from rng import Rng
 from scenes import cameras, coats, commas, copies, csg, finishes, functions, groups, halves, hollow, language, lights, media, meshes, modifiers, people, photons, pictures, places, radiosity, solids, standard, textures, versions
-from scenes.newer import language38
+from scenes.newer import language38, solids38, textures38
 
 CLASSES = {"lights": lights, "finishes": finishes, "cameras": cameras, "csg": csg, "textures": textures,
            "language": language, "versions": versions, "solids": solids, "media": media, "photons": photons, "places": places,
            "standard": standard, "groups": groups, "copies": copies, "modifiers": modifiers,
            "meshes": meshes, "hollow": hollow, "people": people, "coats": coats, "pictures": pictures,
            "functions": functions, "halves": halves, "commas": commas}
-NEWER = {"language38": language38}  # what POV-Ray 3.8 is asked about; recorded by nobody
+NEWER = {"language38": language38, "textures38": textures38, "solids38": solids38}  # what POV-Ray 3.8 is asked about; recorded by nobody
 NOISY = {"radiosity": radiosity}  # not the same twice in POV-Ray: judged apart, and never recorded
 
 
