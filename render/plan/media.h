@@ -24,7 +24,8 @@ struct Media {
     Method method = Method::Adaptive;
     int intervals = 1, samples_least = 10, samples_most = 10;
     double ratio = 0.9, jitter = 0;
-    bool whole = false;  ///< adaptive samples reach the end of an interval, as since POV-Ray 3.8 (spec 7d, 2)
+    /// Adaptive samples reach the end of an interval, and gaps dim their own light, as since POV-Ray 3.8 (spec 7d, 2).
+    bool whole = false;
     int aa_level = 3;
     double aa_threshold = 0.1;
     bool collect = true;

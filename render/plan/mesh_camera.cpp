@@ -69,6 +69,7 @@ std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camer
     auto out = std::make_shared<MeshCamera>();
     out->rays_per_pixel = written.rays_per_pixel;
     out->method = static_cast<MeshCamera::Method>(written.distribution);
+    out->povray = camera.povray;
     out->max_distance = written.max_distance < kTiny ? 0.0 : written.max_distance;
     const auto data_of = [](const scene::MeshCamera::Member& member) -> const scene::MeshData& {
         return *std::get<scene::Mesh>(member.object->shape).data;

@@ -24,7 +24,8 @@ struct MeshCamera {
 
     int rays_per_pixel = 1;
     Method method = Method::MeshPerRay;
-    double max_distance = 0;  ///< what is farther is sky; 0: no limit
+    scene::PovRay povray = scene::PovRay::V37;  ///< says which face belongs to a place
+    double max_distance = 0;                    ///< what is farther is sky; 0: no limit
     std::vector<Range> meshes;
     std::vector<Ray> faces;        ///< at the centroids; ByUv: none
     std::vector<Corners> corners;  ///< ByUv alone

@@ -48,6 +48,7 @@ struct Camera {
     std::shared_ptr<const UserCamera> functions;
     std::optional<Normal> normal;  ///< bends the rays
     std::optional<Bokeh> bokeh;
+    PovRay povray = PovRay::V37;  ///< whose rays; a plan takes it from Description::povray (spec 7d, 6)
     SourceRef source;
 };
 

@@ -44,21 +44,23 @@ double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, 
     return static_cast<double>(finish.specular) * highlight_power(c, static_cast<double>(finish.specular_exponent));
 }
 
-namespace {
-
 glm::vec3 metallic_tint(float amount, double cosine, const scene::Color& pigment)
 {
     const auto share = static_cast<float>(metallic_share(static_cast<double>(amount), cosine));
     return glm::vec3(1.0f) + share * (pigment.rgb() - 1.0f);
 }
 
-}  // namespace
-
 glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
-                          const glm::dvec3& n, const glm::dvec3& l)
+                          const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l)
 {
     if (!(finish.metallic > 0.0f)) return light;
-    return light * metallic_tint(finish.metallic, glm::dot(n, l), pigment);
+    const auto by_normal = [&] { return metallic_tint(finish.metallic, glm::dot(n, l), pigment); };
+    if (!finish.tint_by_half) return light * by_normal();
+    const glm::vec3 by_half = metallic_tint(finish.metallic, halfway_cosine(d, l), pigment);
+    const double broad = finish.phong > 0.0f ? phong(finish, d, n, l) : 0.0;
+    if (broad == 0.0) return light * by_half;
+    const auto share = static_cast<float>(broad / (broad + specular(finish, d, n, l)));
+    return light * (share * by_normal() + (1.0f - share) * by_half);
 }
 
 double seen_share(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, double eta)

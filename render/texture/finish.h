@@ -50,9 +50,19 @@ double phong(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, con
 /// Specular term for one light, without the light's colour (7.7).
 double specular(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
 
-/// Colour of a highlight: the light's, tinted by a metallic finish (7.8).
+/// Cosine of the halfway vector with the light, and with the viewer as well.
+inline double halfway_cosine(const glm::dvec3& d, const glm::dvec3& l)
+{
+    const glm::dvec3 half = l - d;
+    return glm::dot(half, l) / glm::length(half);
+}
+
+/// What a metallic finish does to white light mirrored at this angle (7.8).
+glm::vec3 metallic_tint(float amount, double cosine, const scene::Color& pigment);
+
+/// Colour of the highlights together: the light's, tinted by a metallic finish (7.8; spec 7d, 7).
 glm::vec3 highlight_color(const Finish& finish, const glm::vec3& light, const scene::Color& pigment,
-                          const glm::dvec3& n, const glm::dvec3& l);
+                          const glm::dvec3& d, const glm::dvec3& n, const glm::dvec3& l);
 
 /// What is left of a finish's own light on the way to the viewer, by Fresnel's law (spec 7b, 1). eta: relative index.
 double seen_share(const Finish& finish, const glm::dvec3& d, const glm::dvec3& n, double eta);

@@ -53,7 +53,7 @@ double radical_inverse(int base, int k)
 
 FocalBlur::FocalBlur(const scene::Camera& camera, const texture::TextureSet& textures, std::uint32_t bokeh)
     : samples_(camera.aperture != 0.0 ? std::max(0, camera.blur_samples) : 0), fewest_(camera.blur_fewest),
-      radius_(camera.aperture / 2.0), location_(camera.location)
+      radius_(camera.aperture / 2.0), row_(camera.povray == scene::PovRay::V38 ? 0.5 : -0.5), location_(camera.location)
 {
     if (!active()) return;
     const glm::dvec3& d = camera.direction;
@@ -175,7 +175,7 @@ bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, c
     const glm::dvec2 moved = position + glm::dvec2(step(across), step(down)) + moves_[16u * across + down];
     const bool found = rays.unscaled_ray(moved.x, moved.y, out);
     const glm::dvec2 place =
-        radius_ * (places_[static_cast<std::size_t>(n)] + 2.0 * amplitude_ * jitter(moved.x + 0.5, moved.y - 0.5));
+        radius_ * (places_[static_cast<std::size_t>(n)] + 2.0 * amplitude_ * jitter(moved.x + 0.5, moved.y + row_));
     const glm::dvec3 offset = place.x * right_ - place.y * up_;
     out.origin = location_ + offset;
     if (!found) return false;
@@ -203,7 +203,7 @@ bool FocalBlur::rays(const CameraRays& rays, const Waiting& samples, csg::RayTil
         x[i] = samples.x[i] + step(across) + move.x;
         y[i] = samples.y[i] + step(down) + move.y;
         shifted_x[i] = x[i] + 0.5;
-        shifted_y[i] = y[i] - 0.5;
+        shifted_y[i] = y[i] + row_;
         const glm::dvec2& place = places_[static_cast<std::size_t>(samples.n[i])];
         place_x[i] = place.x;
         place_y[i] = place.y;

@@ -50,6 +50,7 @@ private:
 
     int samples_ = 0, fewest_ = 0, set_ = 0;
     double radius_ = 0, amplitude_ = 0, focal_ratio_ = 1;
+    double row_ = -0.5;  ///< how far below a sample the jitter upon the lens is asked, in pixels (spec 7d, 6)
     glm::dvec3 location_{0}, right_{0}, up_{0};
     std::vector<glm::dvec2> places_;
     std::vector<glm::dvec2> moves_;   ///< by which way jitter moves each of 16 x 16 places within a pixel

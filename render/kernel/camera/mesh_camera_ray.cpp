@@ -37,11 +37,22 @@ bool ray_by_uv(const MeshCamera& camera, const glm::dvec2& at, csg::Ray& out)
     return false;
 }
 
-/// Where a sample lies among the faces.
-glm::dvec2 place_of(double px, double py, int width, int height)
+/// The column and the row of faces that a sample shows, whole numbers in 3.8; in 3.7 places between them.
+glm::dvec2 place_of(const MeshCamera& camera, double px, double py, int width, int height)
 {
-    // Half a pixel above the sample: the first two rows of a picture show the same faces, as POV-Ray's do.
-    return {std::clamp(px + 0.5, 0.0, width - 1.0), std::clamp(py - 0.5, 0.0, height - 1.0)};
+    const auto within = [](double v, int count) { return std::clamp(v, 0.0, count - 1.0); };
+    if (camera.povray == scene::PovRay::V38)
+        return {within(std::floor(px + 0.5), width), within(std::floor(py + 0.5), height)};
+    // Half a pixel above the sample: the first two rows of a picture show the same faces, as POV-Ray 3.7's do.
+    return {within(px + 0.5, width), within(py - 0.5, height)};
+}
+
+/// Where a sample lies in the unit square of coordinates.
+glm::dvec2 uv_of(const MeshCamera& camera, double px, double py, int width, int height)
+{
+    if (camera.povray == scene::PovRay::V38) return {(px + 0.5) / width, 1.0 - (py + 0.5) / height};
+    const glm::dvec2 at = place_of(camera, px, py, width, height);
+    return {(at.x - 0.5) / width, 1.0 - (at.y + 0.5) / height};
 }
 
 /// The ray of the face that a sample shows; null: there is none. Not for method ByUv.
@@ -68,9 +79,8 @@ const MeshCamera::Ray* face_of(const MeshCamera& camera, double x, double y, int
 
 bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k, csg::Ray& out)
 {
-    const glm::dvec2 at = place_of(px, py, width, height);
-    if (camera.method == Method::ByUv)
-        return ray_by_uv(camera, {(at.x - 0.5) / width, 1.0 - (at.y + 0.5) / height}, out);
+    if (camera.method == Method::ByUv) return ray_by_uv(camera, uv_of(camera, px, py, width, height), out);
+    const glm::dvec2 at = place_of(camera, px, py, width, height);
     const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
     if (from == nullptr) return false;
     out = {from->origin, from->direction};
@@ -80,7 +90,7 @@ bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, 
 void fetch_mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, int height, int k)
 {
     if (camera.method == Method::ByUv) return;
-    const glm::dvec2 at = place_of(px, py, width, height);
+    const glm::dvec2 at = place_of(camera, px, py, width, height);
     const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
     if (from == nullptr) return;
     __builtin_prefetch(from);

@@ -56,23 +56,32 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
 }
 
 /// Of hits with metallic finishes, how much of their pigments tints a highlight; 0 of all others.
-[[gnu::noinline]] inline void find_tints(const RowPage& at, const double* const (&n)[3], HitMask tinted,
-                                         const TileLight& light, TileFloats& share)
+[[gnu::noinline]] inline void find_tints(const RowPage& at, const double* const (&n)[3], const csg::RayTile& rays,
+                                         HitMask tinted, const TileLight& light, TileFloats& share)
 {
     using csg::lanes::Double;
     constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
     alignas(64) TileLanes metallic{};
-    for_each_hit(tinted, [&](std::size_t k) { metallic[k] = static_cast<double>(at.finish[k]->metallic); });
+    HitMask by_half = 0;
+    for_each_hit(tinted, [&](std::size_t k) {
+        metallic[k] = static_cast<double>(at.finish[k]->metallic);
+        if (at.finish[k]->tint_by_half) by_half |= HitMask{1} << k;
+    });
     share.fill(0.0f);
     for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
         const HitMask here = tinted & kVector << i;
         if (here == 0) continue;
         const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
-        const Double cosine = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
-                              get(n[2]) * get(light.z.data());
+        const Double lx = get(light.x.data()), ly = get(light.y.data()), lz = get(light.z.data());
         alignas(64) std::array<double, csg::lanes::kDoubles> found;
-        texture::metallic_share(get(metallic.data()), cosine).store_aligned(found.data());
-        for_each_hit(here, [&](std::size_t k) { share[k] = static_cast<float>(found[k - i]); });
+        const auto take = [&](HitMask of, const Double& cosine) {
+            texture::metallic_share(get(metallic.data()), cosine).store_aligned(found.data());
+            for_each_hit(of, [&](std::size_t k) { share[k] = static_cast<float>(found[k - i]); });
+        };
+        if ((here & ~by_half) != 0) take(here & ~by_half, get(n[0]) * lx + get(n[1]) * ly + get(n[2]) * lz);
+        if ((here & by_half) == 0) continue;
+        const Double hx = lx - get(rays.dx.data()), hy = ly - get(rays.dy.data()), hz = lz - get(rays.dz.data());
+        take(here & by_half, (hx * lx + hy * ly + hz * lz) / xsimd::sqrt(hx * hx + hy * hy + hz * hz));
     }
 }
 
@@ -132,7 +141,7 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
         return gain(
             [&](std::size_t k, float color, float) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
     alignas(64) TileFloats share;
-    find_tints(at, n, tinted, scratch.lamp.light, share);
+    find_tints(at, n, rays, tinted, scratch.lamp.light, share);
     gain([&](std::size_t k, float color, float pigment) {
         const float tint = share[k] != 0.0f ? 1.0f + share[k] * (pigment - 1.0f) : 1.0f;
         return strength[k] != 0.0f ? strength[k] * (color * tint) : 0.0f;

@@ -55,7 +55,8 @@ inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const
         sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
     }
     if (strength != 0.0)
-        sum += static_cast<float>(strength) * texture::highlight_color(finish, color, layer.pigment, layer.normal, l);
+        sum += static_cast<float>(strength) *
+               texture::highlight_color(finish, color, layer.pigment, layer.direction, layer.normal, l);
     return sum;
 }
 

@@ -12,6 +12,19 @@ namespace {
 constexpr float kThird = 1.0f / 3.0f, kSixth = 1.0f / 6.0f;
 constexpr std::uint32_t kMiddles = 0x80000000u;  // numbers of samples in the middle of gaps begin here
 
+/// What a gap of this depth leaves of light that comes from all over it alike: (1 - exp(-d)) / d.
+glm::vec3 left_within(const glm::vec3& depth)
+{
+    constexpr float kShallow = 0.05f;  // below it the difference has too few digits
+    const glm::vec3 left = media_exp(-depth);
+    glm::vec3 out;
+    for (int c = 0; c < 3; ++c) {
+        const float d = depth[c];
+        out[c] = std::abs(d) < kShallow ? 1.0f - d * (0.5f - d * (kSixth - d * (1.0f / 24.0f))) : (1.0f - left[c]) / d;
+    }
+    return out;
+}
+
 }  // namespace
 
 int AdaptiveSums::gaps_of(const plan::Media& control) { return std::max(2, control.samples_least / 2 + 1); }
@@ -26,6 +39,10 @@ void AdaptiveSums::even(const MediaMix& mix, double step, glm::vec3& light, glm:
     light = emission * static_cast<float>(step);
     depth = extinction * static_cast<float>(step);
     if (depth == glm::vec3(0) || light == glm::vec3(0)) return;
+    if (mix.control->whole) {
+        light *= left_within(depth);
+        return;
+    }
     const int gaps = gaps_of(*mix.control);
     const glm::vec3 dimmed = media_exp(-depth / static_cast<float>(gaps));
     glm::vec3 sum(0), share(1);
@@ -256,7 +273,8 @@ void AdaptiveSums::fold()
     if (dims_) fold_all(scratch_.gaps.half_depth, scratch_.depth);
 }
 
-/// Gaps of each sub-interval one behind the other, in the medium of those before.
+/// Gaps of each sub-interval one behind the other, in the medium of those before; since POV-Ray 3.8 in their own too
+/// (spec 7d, 2).
 void AdaptiveSums::sum()
 {
     const float share = 1.0f / static_cast<float>(gaps_);
@@ -265,8 +283,12 @@ void AdaptiveSums::sum()
         glm::vec3 light(0), depth(0);
         for (std::size_t n = 0; n < gaps_; ++n) {
             const glm::vec3 here = scratch_.light[n * jobs_ + i];
-            if (here != glm::vec3(0)) light += here * media_exp(-depth * share);
-            depth += scratch_.depth[n * jobs_ + i];
+            const glm::vec3 own = scratch_.depth[n * jobs_ + i];
+            if (here != glm::vec3(0)) {
+                const glm::vec3 left = media_exp(-depth * share);
+                light += here * (chunk_.control->whole ? left * left_within(own * share) : left);
+            }
+            depth += own;
         }
         chunk_.light[i] = light;
         chunk_.depth[i] = depth;

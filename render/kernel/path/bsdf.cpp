@@ -50,8 +50,11 @@ Response Bsdf::respond(const Lobe& lobe, const glm::dvec3& l) const
         return {static_cast<float>(power / kPi) * lobe.color, (lobe.exponent + 1.0) / (2.0 * kPi) * power};
     }
     glm::vec3 color = lobe.color;
-    if (lobe.finish->metallic > 0.0f)
-        color *= texture::highlight_color(*lobe.finish, glm::vec3(1), lobe.pigment, lobe.normal, l);
+    if (lobe.finish->metallic > 0.0f) {
+        const bool by_half = lobe.finish->tint_by_half && lobe.kind != Lobe::Kind::Phong;
+        const double cosine = by_half ? texture::halfway_cosine(direction_, l) : facing;
+        color *= texture::metallic_tint(lobe.finish->metallic, cosine, lobe.pigment);
+    }
     if (lobe.kind == Lobe::Kind::Phong) {
         const double c = texture::phong_cosine(direction_, lobe.normal, l);
         if (!(c > 0.0)) return {};

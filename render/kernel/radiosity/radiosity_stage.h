@@ -2,6 +2,7 @@
 
 #include "render/kernel/light/direct_batch.h"
 #include "render/kernel/context/segment_tile.h"
+#include "render/kernel/interior/interface.h"
 #include "render/kernel/radiosity/ambient.h"
 
 /// Light that surfaces hand on to each other, over a tile's rows (spec 6, 4.2).
@@ -48,9 +49,21 @@ private:
             for (std::size_t depth = 0; depth < batch_.depths(); ++depth) {
                 RowPage& at = scratch_.rows.pages[depth];
                 if (!has(at.holds, k)) continue;
-                at.gained.set(k, at.gained[k] + at.pigment[k] * ambient * (at.alpha[k] * (at.finish[k]->*diffuse)));
+                const float share = at.alpha[k] * (at.finish[k]->*diffuse) * seen_share(k, depth);
+                at.gained.set(k, at.gained[k] + at.pigment[k] * ambient * share);
             }
         });
+    }
+
+    /// What is left of it on the way to the viewer (spec 7b, 1).
+    float seen_share(std::size_t k, std::size_t depth) const
+    {
+        const texture::Finish& finish = *scratch_.rows.pages[depth].finish[k];
+        if (finish.own_fresnel == 0.0f) return 1.0f;
+        const double eta = fresnel_index(context_.scene.interiors, tile_.interiors(k),
+                                         context_.scene.surfaces[tile_.hits.surface[k]].interior);
+        return static_cast<float>(
+            texture::seen_share(finish, tile_.state(k).ray.direction, batch_.normal(depth, k), eta));
     }
 
     void ask(radiosity::Request& to, std::size_t k, std::size_t depth, double amount, double facing) const

@@ -79,7 +79,8 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
     out.geometry.faithful = options.faithful;
     out.geometry.shadow_kinds = bit(RayKind::Shadow);
     out.camera = description.camera;
-    out.mesh_camera = compile_mesh_camera(description.camera);
+    out.camera.povray = description.povray;
+    out.mesh_camera = compile_mesh_camera(out.camera);
     out.settings = settings(description, options);
     std::vector<scene::Unsupported> notes = description.unsupported;
     TextureCompiler textures(description, options.quality, out.textures, notes);

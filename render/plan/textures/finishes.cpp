@@ -59,7 +59,8 @@ std::uint32_t TextureCompiler::finish(const scene::Shared<scene::Finish>& descri
 void TextureCompiler::extend(const scene::Finish& from, texture::Finish& to)
 {
     to.schlick = from.reflection.schlick;
-    to.own_light = to.own_fresnel != 0.0f || to.use_alpha;
+    to.tint_by_half = scene_.povray == scene::PovRay::V38 && to.metallic > 0.0f && to.specular > 0.0f;
+    to.own_light = to.own_fresnel != 0.0f || to.use_alpha || (to.tint_by_half && to.phong > 0.0f);  // two tints
     const bool gloss = from.reflection.gloss > 0.0f;
     if (!gloss && from.polished == 0.0f && !from.cool_warm && from.ink == 0.0f) return;
     texture::FinishExtension extension;

@@ -106,3 +106,28 @@ TEST_CASE("focal blur is certain of what does not change, and of nothing at vari
     CHECK_FALSE(blur_of(patient).converged(same));
     CHECK(mixed.mean().red == Approx(4.0 / 7.0));
 }
+
+// Where the one ray of `blur_samples 1` meets the plane z = 2, focused on z = 1: read from both programs' pictures
+// of 12x8 pixels of 16 bits (spec 7d, 6).
+TEST_CASE("rays of focal blur leave the lens where 3.7's or 3.8's do", "[camera][blur]")
+{
+    struct Met {
+        glm::dvec2 pixel, old, now;
+    };
+    for (const Met& met :
+         {Met{{0, 0}, {-0.8043, 1.0333}, {-0.8492, 0.9816}}, Met{{3, 2}, {-0.2896, 0.5276}, {-0.2915, 0.7473}},
+          Met{{7, 5}, {0.1989, -0.4020}, {0.2038, -0.3775}}, Met{{11, 7}, {0.9670, -0.5427}, {0.8683, -1.0036}}})
+        for (const auto povray : {scene::PovRay::V37, scene::PovRay::V38}) {
+            scene::Camera camera = lens(1, 0.0);
+            camera.aperture = camera.focal_distance = 1.0;
+            camera.right = {1, 0, 0};
+            camera.povray = povray;
+            csg::Ray ray;
+            REQUIRE(blur_of(camera).ray(trace::CameraRays(camera, 12, 8), met.pixel, 0, ray));
+            const glm::dvec3 at = ray.at((2.0 - ray.origin.z) / ray.direction.z);
+            const glm::dvec2 expected = povray == scene::PovRay::V37 ? met.old : met.now;
+            INFO("pixel " << met.pixel.x << ", " << met.pixel.y);
+            CHECK(at.x == Approx(expected.x).margin(1e-4));
+            CHECK(at.y == Approx(expected.y).margin(1e-4));
+        }
+}

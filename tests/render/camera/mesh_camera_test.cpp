@@ -30,7 +30,8 @@ scene::MeshCamera::Member row_of(int count, double at_y)
 }
 
 std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<scene::MeshCamera::Member> meshes,
-                                            double location_z = 0.0, double direction_z = 1.0)
+                                            double location_z = 0.0, double direction_z = 1.0,
+                                            scene::PovRay povray = scene::PovRay::V37)
 {
     auto written = std::make_shared<scene::MeshCamera>();
     written->rays_per_pixel = rays;
@@ -41,6 +42,7 @@ std::shared_ptr<const MeshCamera> camera_of(int rays, int method, std::vector<sc
     camera.location = {0, 0, location_z};
     camera.direction = {0, 0, direction_z};
     camera.mesh = written;
+    camera.povray = povray;
     return plan::compile_mesh_camera(camera);
 }
 
@@ -98,4 +100,25 @@ TEST_CASE("a mesh camera by uv starts at the point of the surface", "[camera][me
     REQUIRE(trace::mesh_camera_ray(*camera, 1, 3, 8, 4, 0, ray));  // s = 1/8, t = 1/4
     CHECK(glm::length(ray.origin - glm::dvec3(0.25, 0.25, 0)) < 1e-12);
     CHECK_FALSE(trace::mesh_camera_ray(*camera, 3, 1, 8, 4, 0, ray));  // beyond the first triangle's slope
+}
+
+TEST_CASE("a mesh camera of POV-Ray 3.8 shows each row of faces once", "[camera][mesh]")
+{
+    constexpr auto kNew = scene::PovRay::V38;
+    const auto camera = camera_of(1, 0, {row_of(12, 0)}, 0.0, 1.0, kNew);  // 4 x 3
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x) {
+            CHECK(face_at(*camera, x, y, 4, 3) == 4 * y + x);
+            CHECK(face_at(*camera, x + 0.49, y - 0.49, 4, 3) == 4 * y + x);
+        }
+    CHECK(face_at(*camera, 3.5, 2.5, 4, 3) == 11);  // a corner of the picture
+    // Three meshes across eight columns: whole columns are counted, so that column 5 belongs to the second.
+    const auto beside = camera_of(1, 2, {row_of(12, 0), row_of(12, 1), row_of(12, 2)}, 0.0, 1.0, kNew);
+    CHECK(face_at(*beside, 5, 0, 8, 6) == 105);
+    CHECK(face_at(*beside, 5.4, 0, 8, 6) == 105);
+    CHECK(face_at(*beside, 6, 0, 8, 6) == 206);
+    const auto by_uv = camera_of(1, 3, {row_of(2, 0)}, 0.0, 1.0, kNew);
+    csg::Ray ray;
+    REQUIRE(trace::mesh_camera_ray(*by_uv, 0, 3, 8, 4, 0, ray));  // the middle of the pixel: s = t = 1/16, 1/8
+    CHECK(glm::length(ray.origin - glm::dvec3(0.125, 0.125, 0)) < 1e-12);
 }

@@ -32,7 +32,8 @@ public:
 
     std::string text()
     {
-        std::string out = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+        std::string out = "#version " + one_of({"3.7", "3.8"}) +
+                          "; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
                           "camera { location <0,2,-6> look_at 0 }\n";
         out +=
             "light_source { <-5,6,-5> rgb <1,.9,.6> " +
