@@ -37,13 +37,8 @@ std::optional<TransferCurve> tagged(const image::Picture& picture)
 /// From the file's levels to those of the scene (spec 4, 12.4).
 image::Transcoder levels_of(const scene::Description& scene, const scene::ImageSource& source, bool colors)
 {
-<<<<<<< HEAD
-    const bool legacy = scene.effective_version < kGammaVersion;
-    const bool assumed = scene.global.assumed_gamma.has_value();
-=======
     const bool legacy = source.version < kGammaVersion;
-    const bool assumed = scene.global.assumed_gamma.kind != scene::AssumedGamma::Kind::Unset;
->>>>>>> a31ec271 (Random scenes of POV-Ray 3.8's textures and solids; what the first of them showed)
+    const bool assumed = scene.global.assumed_gamma.has_value();
     if (source.made()) return {};
     if (source.gamma) return {colors ? working_curve(scene) : TransferCurve::linear(), source.gamma->curve()};
     if (!colors || (legacy && !assumed)) return {};

@@ -19,12 +19,8 @@ struct ImageSource {
     glm::dvec2 size{0.0};  ///< of the function's picture in pixels, as written
     std::shared_ptr<const image::Picture>
         picture;  ///< null where the user reads the file its own way, as height fields do
-<<<<<<< HEAD
     std::optional<GammaCurve> gamma;
-=======
-    std::optional<FileGamma> gamma;
     int version = 362;  ///< the language's where it was named, in hundredths: whose rules its levels and alpha follow
->>>>>>> a31ec271 (Random scenes of POV-Ray 3.8's textures and solids; what the first of them showed)
 
     bool made() const { return path.empty(); }
     void dump(DumpWriter& out) const;
