@@ -2,41 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace plan {
 namespace {
 
 constexpr double kTiny = 1e-10;
 
-/// From a mesh's own space to the rays that leave it.
-struct Launch {
-    const scene::Camera& camera;
-    const csg::Transform& to_world;
+/// What leaves a mesh at a place, both in its own space.
+MeshCamera::Ray ray_from(const scene::Camera& camera, const glm::dvec3& p, const glm::dvec3& normal)
+{
+    const glm::dvec3 n = glm::normalize(normal);
+    return {p + camera.location.z * n, camera.direction.z < -kTiny ? -n : n};
+}
 
-    MeshCamera::Ray from(const glm::dvec3& p, const glm::dvec3& normal) const
-    {
-        const glm::dvec3 n = glm::normalize(normal);
-        const glm::dvec3 direction = camera.direction.z < -kTiny ? -n : n;
-        return {to_world.point(p + camera.location.z * n),
-                glm::normalize(glm::transpose(to_world.inverse_linear) * direction)};
-    }
-};
-
-void add_faces(MeshCamera& out, const scene::MeshData& mesh, const Launch& launch, bool smooth)
+void add_faces(MeshCamera& out, const scene::MeshData& mesh, const scene::Camera& camera,
+               const csg::Transform& to_world, bool smooth)
 {
     constexpr std::uint32_t kNone = scene::MeshData::kNone;
     for (const scene::MeshData::Face& face : mesh.faces) {
         const auto corner = [&](std::size_t k) { return mesh.vertices[face.vertex[k]]; };
         const glm::dvec3 normal = glm::cross(corner(2) - corner(0), corner(1) - corner(0));
         if (out.method != MeshCamera::Method::ByUv) {
-            out.faces.push_back(launch.from((corner(0) + corner(1) + corner(2)) / 3.0, normal));
+            out.faces.push_back(ray_from(camera, (corner(0) + corner(1) + corner(2)) / 3.0, normal));
             continue;
         }
         MeshCamera::Corners corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             if (face.uv[k] != kNone) corners.uv[k] = mesh.uvs[face.uv[k]];
             const bool own = smooth && face.normal[k] != kNone;
-            corners.rays[k] = launch.from(corner(k), own ? mesh.normals[face.normal[k]] : normal);
+            corners.rays[k] = ray_from(camera, corner(k), own ? mesh.normals[face.normal[k]] : normal).moved(to_world);
         }
         out.corners.push_back(corners);
     }
@@ -71,20 +66,17 @@ std::shared_ptr<const MeshCamera> compile_mesh_camera(const scene::Camera& camer
     out->method = static_cast<MeshCamera::Method>(written.distribution);
     out->povray = camera.povray;
     out->max_distance = written.max_distance < kTiny ? 0.0 : written.max_distance;
-    const auto data_of = [](const scene::MeshCamera::Member& member) -> const scene::MeshData& {
-        return *std::get<scene::Mesh>(member.object->shape).data;
-    };
-    // A hundred rays a pixel are some hundred megabytes, which should not be moved while they grow.
-    std::size_t faces = 0;
-    for (const scene::MeshCamera::Member& member : written.meshes) faces += data_of(member).faces.size();
-    if (out->method != MeshCamera::Method::ByUv) out->faces.reserve(faces);
+    std::map<const scene::MeshData*, std::uint32_t> known;  // the first face of each
+    std::uint32_t number = 0;
     for (const scene::MeshCamera::Member& member : written.meshes) {
         const scene::Object& object = *member.object;
-        const scene::MeshData& mesh = data_of(member);
-        const auto first = static_cast<std::uint32_t>(out->faces.size());
+        const scene::MeshData& mesh = *std::get<scene::Mesh>(object.shape).data;
         if (out->method == MeshCamera::Method::ByUv && !out->corners.empty()) continue;  // further meshes are not used
-        add_faces(*out, mesh, {camera, *object.transform}, written.smooth);
-        out->meshes.push_back({first, static_cast<std::uint32_t>(out->faces.size()) - first});
+        const auto [at, fresh] = known.emplace(&mesh, static_cast<std::uint32_t>(out->faces.size()));
+        if (fresh) add_faces(*out, mesh, camera, *object.transform, written.smooth);
+        const auto count = static_cast<std::uint32_t>(mesh.faces.size());
+        out->meshes.push_back({number, at->second, count, *object.transform});
+        number += count;
     }
     if (out->method == MeshCamera::Method::ByUv) sort_into_cells(*out);
     return out;

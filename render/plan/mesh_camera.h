@@ -8,26 +8,33 @@
 
 namespace plan {
 
-/// A camera whose rays leave the faces of meshes (spec 2, section 5), faces of all meshes in one row.
+/// A camera whose rays leave the faces of meshes (spec 2, section 5). Places of one mesh share its faces.
 struct MeshCamera {
     enum class Method { MeshPerRay, AllInOne, SideBySide, ByUv };
-    struct Range {
-        std::uint32_t first = 0, count = 0;
-    };
     struct Ray {
-        glm::dvec3 origin, direction;
-    };  ///< world, unit length
+        glm::dvec3 origin, direction;  ///< unit length
+
+        Ray moved(const csg::Transform& by) const
+        {
+            return {by.point(origin), glm::normalize(glm::transpose(by.inverse_linear) * direction)};
+        }
+    };
+    struct Mesh {
+        std::uint32_t number = 0;            ///< of its first face, those of the meshes before it counted
+        std::uint32_t first = 0, count = 0;  ///< in `faces`
+        csg::Transform to_world;
+    };
     struct Corners {
         std::array<glm::dvec2, 3> uv;
-        std::array<Ray, 3> rays;
-    };  ///< rays as at the corners
+        std::array<Ray, 3> rays;  ///< as at the corners, world
+    };
 
     int rays_per_pixel = 1;
     Method method = Method::MeshPerRay;
     scene::PovRay povray = scene::PovRay::V37;  ///< says which face belongs to a place
     double max_distance = 0;                    ///< what is farther is sky; 0: no limit
-    std::vector<Range> meshes;
-    std::vector<Ray> faces;        ///< at the centroids; ByUv: none
+    std::vector<Mesh> meshes;
+    std::vector<Ray> faces;        ///< at the centroids, in their mesh's space; ByUv: none
     std::vector<Corners> corners;  ///< ByUv alone
     /// ByUv: cells of the unit square, row by row; each lists faces of `corners` that touch it, in order.
     static constexpr int kCells = 64;

@@ -55,24 +55,34 @@ glm::dvec2 uv_of(const MeshCamera& camera, double px, double py, int width, int 
     return {(at.x - 0.5) / width, 1.0 - (at.y + 0.5) / height};
 }
 
-/// The ray of the face that a sample shows; null: there is none. Not for method ByUv.
-const MeshCamera::Ray* face_of(const MeshCamera& camera, double x, double y, int width, int k)
+/// The face that a sample shows and its mesh; nulls: there is none.
+struct Shown {
+    const MeshCamera::Ray* face = nullptr;
+    const MeshCamera::Mesh* mesh = nullptr;
+};
+
+/// Not for method ByUv.
+Shown shown(const MeshCamera& camera, double x, double y, int width, int k)
 {
     const double column = std::floor(x), row = std::floor(y);
     double face = row * width + column;
-    MeshCamera::Range range{0, static_cast<std::uint32_t>(camera.faces.size())};
+    const MeshCamera::Mesh* mesh = &camera.meshes.back();
     if (camera.method == Method::MeshPerRay) {
-        range = camera.meshes[static_cast<std::size_t>(k)];
+        mesh = &camera.meshes[static_cast<std::size_t>(k)];
     } else if (camera.method == Method::AllInOne) {
-        face += static_cast<double>(k) * range.count;
+        face += static_cast<double>(k) * (mesh->number + mesh->count);
+        if (face >= mesh->number + mesh->count) return {};
+        const auto begins_after = [](double number, const MeshCamera::Mesh& m) { return number < m.number; };
+        mesh = &*std::prev(std::upper_bound(camera.meshes.begin(), camera.meshes.end(), face, begins_after));
+        face -= mesh->number;
     } else {
         const double wide = static_cast<double>(width) / static_cast<double>(camera.meshes.size());
         const auto which = std::min(static_cast<std::size_t>(x / wide), camera.meshes.size() - 1);
-        range = camera.meshes[which];
+        mesh = &camera.meshes[which];
         face = row * std::floor(wide) + column;
     }
-    if (!(face < range.count)) return nullptr;
-    return camera.faces.data() + (range.first + static_cast<std::uint32_t>(face));
+    if (!(face < mesh->count)) return {};
+    return {camera.faces.data() + (mesh->first + static_cast<std::uint32_t>(face)), mesh};
 }
 
 }  // namespace
@@ -81,9 +91,10 @@ bool mesh_camera_ray(const MeshCamera& camera, double px, double py, int width, 
 {
     if (camera.method == Method::ByUv) return ray_by_uv(camera, uv_of(camera, px, py, width, height), out);
     const glm::dvec2 at = place_of(camera, px, py, width, height);
-    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
-    if (from == nullptr) return false;
-    out = {from->origin, from->direction};
+    const auto [face, mesh] = shown(camera, at.x, at.y, width, k);
+    if (face == nullptr) return false;
+    const MeshCamera::Ray ray = face->moved(mesh->to_world);
+    out = {ray.origin, ray.direction};
     return true;
 }
 
@@ -91,10 +102,10 @@ void fetch_mesh_camera_ray(const MeshCamera& camera, double px, double py, int w
 {
     if (camera.method == Method::ByUv) return;
     const glm::dvec2 at = place_of(camera, px, py, width, height);
-    const MeshCamera::Ray* from = face_of(camera, at.x, at.y, width, k);
-    if (from == nullptr) return;
-    __builtin_prefetch(from);
-    __builtin_prefetch(&from->direction.z);
+    const MeshCamera::Ray* const face = shown(camera, at.x, at.y, width, k).face;
+    if (face == nullptr) return;
+    __builtin_prefetch(face);
+    __builtin_prefetch(&face->direction.z);
 }
 
 }  // namespace trace
