@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct Media {
     /// Variance below which n samples are enough; entry 0 is unused. Empty where no more than the least are taken.
     std::vector<double> enough;
 
+    /// Gaps between the samples of an adaptive interval (spec 6, 2.7; spec 7d, 2).
+    int gaps() const { return whole ? (samples_least + 1) / 2 : std::max(2, samples_least / 2 + 1); }
+    /// How many of them the interval is long: before POV-Ray 3.8 one is never looked at.
+    int gaps_to_end() const { return whole ? gaps() : gaps() + 1; }
     bool scatters() const { return scattering != glm::vec3(0); }
     bool extinguishes() const { return extinction != glm::vec3(0); }
     /// Whether places of samples, as far as it says them, depend on random numbers.

@@ -5,7 +5,7 @@ camera { location <0, 1, -7> look_at 0 angle 50 }
 light_source { <-4, 6, -10>, 1 }
 plane { y, -1.5 pigment { checker rgb 0.2 rgb 0.5 } finish { ambient 0.1 diffuse 0.7 } }
 sphere { <-2, 0, 0>, 1.2 hollow pigment { rgbt 1 }
-  interior { media { method 3 samples 3 jitter 0 emission <1, 0.7, 0.3> absorption <0.5, 1, 3> density { spherical scale 1.2 } } }
+  interior { media { method 3 samples 4 jitter 0 emission <1, 0.7, 0.3> absorption <0.5, 1, 3> density { spherical scale 1.2 } } }
 }
 sphere { <0.5, 0, 0>, 1.1 hollow pigment { rgbt 1 } interior { media { method 3 samples 5 jitter 0 scattering { 1, rgb <0.8, 0.6, 0.4> } } } }
 box { <1.8, -1, -1>, <3.2, 1, 1> hollow pigment { rgbt 1 }

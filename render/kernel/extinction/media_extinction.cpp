@@ -90,8 +90,8 @@ void add_samples(DepthBatch& batch, const plan::Media& control, std::uint64_t se
         return;
     }
     // Nothing is emitted, so no gap between samples is halved more than once.
-    const int gaps = std::max(2, least / 2 + 1);
-    const double apart = 1.0 / (control.whole ? gaps : gaps + 1), third = step / (3.0 * gaps);
+    const int gaps = control.gaps();
+    const double apart = 1.0 / control.gaps_to_end(), third = step / (3.0 * gaps);
     double before = 0.0;
     for (int n = 0; n <= gaps; ++n) {
         const double place = apart * (n + (jittered ? control.jitter * (random(2 * n) - 0.5) : 0.0));

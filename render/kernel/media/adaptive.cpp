@@ -27,8 +27,6 @@ glm::vec3 left_within(const glm::vec3& depth)
 
 }  // namespace
 
-int AdaptiveSums::gaps_of(const plan::Media& control) { return std::max(2, control.samples_least / 2 + 1); }
-
 void AdaptiveSums::even(const MediaMix& mix, double step, glm::vec3& light, glm::vec3& depth)
 {
     glm::vec3 emission(0), extinction(0);
@@ -43,7 +41,7 @@ void AdaptiveSums::even(const MediaMix& mix, double step, glm::vec3& light, glm:
         light *= left_within(depth);
         return;
     }
-    const int gaps = gaps_of(*mix.control);
+    const int gaps = mix.control->gaps();
     const glm::vec3 dimmed = media_exp(-depth / static_cast<float>(gaps));
     glm::vec3 sum(0), share(1);
     for (int n = 0; n < gaps; ++n) {
@@ -56,7 +54,7 @@ void AdaptiveSums::even(const MediaMix& mix, double step, glm::vec3& light, glm:
 void AdaptiveSums::run()
 {
     jobs_ = static_cast<std::size_t>(chunk_.count);
-    gaps_ = static_cast<std::size_t>(gaps_of(*chunk_.control));
+    gaps_ = static_cast<std::size_t>(chunk_.control->gaps());
     dims_ = !chunk_.one_mix || chunk_.jobs[0].mix->extinguishes;
     samples_.told_depth = dims_;
     place_even();
@@ -84,8 +82,7 @@ std::pair<std::uint8_t*, double*> AdaptiveSums::add_samples()
 /// (spec 6, 2.7).
 void AdaptiveSums::place_even()
 {
-    const double jitter = chunk_.control->jitter, unseen = chunk_.control->whole ? 0.0 : 1.0;
-    const double gaps = static_cast<double>(gaps_) + unseen;
+    const double jitter = chunk_.control->jitter, gaps = chunk_.control->gaps_to_end();
     samples_.clear();
     for (std::uint32_t n = 0; n <= gaps_; ++n) {
         const double even = n / gaps;

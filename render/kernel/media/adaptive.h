@@ -45,7 +45,6 @@ public:
         : chunk_(chunk), samples_(samples), scratch_(scratch), sampler_(sampler)
     {}
 
-    static int gaps_of(const plan::Media& control);
     /// Of a sub-interval whose samples all tell the same: what it gives, and its optical depth.
     static void even(const MediaMix& mix, double step, glm::vec3& light, glm::vec3& depth);
     void run();
