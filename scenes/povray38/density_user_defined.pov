@@ -9,7 +9,7 @@ sphere {
   pigment { rgbt 1 }
   interior {
     media {
-      method 3 samples 12 intervals 1
+      method 2 samples 30 intervals 1
       emission 0.9
       absorption 0.4
       density { user_defined { function { max(0, 1 - sqrt(x*x + y*y + z*z)) }, , function { abs(sin(3*y))*max(0, 1 - x*x - z*z) } } }

@@ -1,8 +1,10 @@
-#include "csg/solids/shared/slab.h"
 #include "csg/freeform/revolution/ovus.h"
 
 #include "csg/solids/shared/common.h"
-#include "csg/solids/shared/common.h"
+#include "csg/solids/shared/slab.h"
+#include "numbers/functions/functions.h"
+
+#include <numbers>
 
 namespace csg {
 namespace {
@@ -45,7 +47,7 @@ Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top), distance_(bo
 /// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger. Where the
 /// second sphere is the larger one the middle lies above that sphere's in POV-Ray 3.8, never below (spec 7c, 2).
 Ovus::Ovus(double bottom, double top, double distance, double arc)
-    : bottom_(bottom), top_(top), distance_(distance), arc_(arc)
+    : bottom_(bottom), top_(top), distance_(distance), arc_(arc), heights_of_38_(true)
 {
     const double b = arc - bottom, t = arc - top;
     height_ = ((b - t) * (b + t) / distance + distance) / 2.0;
@@ -138,9 +140,18 @@ glm::dvec3 Ovus::gradient(const glm::dvec3& p, std::uint32_t face) const
     return {p.x * stretch, p.y - height_, p.z * stretch};
 }
 
+/// In POV-Ray 3.8 v goes by height: evenly between the spheres' middles, by a sine beyond them (spec 7c, 2).
 glm::dvec2 Ovus::uv(const glm::dvec3& p, std::uint32_t) const
 {
-    return sphere_uv(unit_or_x(p - glm::dvec3(0.0, 0.5 * top_, 0.0)));
+    glm::dvec2 place = sphere_uv(unit_or_x(p - glm::dvec3(0.0, 0.5 * top_, 0.0)));
+    if (!heights_of_38_) return place;
+    const auto beyond = [](double left, double radius) {
+        return 0.25 * numbers::sin(0.5 * std::numbers::pi * std::sqrt(glm::clamp(left / radius, 0.0, 1.0)));
+    };
+    if (p.y < 0.0) place.y = 1.0 - beyond(bottom_ + p.y, bottom_);
+    else if (p.y > distance_) place.y = top_ > 0.0 ? beyond(distance_ + top_ - p.y, top_) : 0.25;
+    else place.y = 0.75 - 0.5 * p.y / distance_;
+    return place;
 }
 
 Aabb Ovus::bounds() const

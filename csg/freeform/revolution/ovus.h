@@ -13,7 +13,7 @@ public:
     /// larger.
     Ovus(double bottom, double top);
     /// With the distance of the spheres' middles, at least `bottom` and more than `top - bottom`, and the arc's radius,
-    /// more than half the sum of the three (POV-Ray 3.8).
+    /// more than half the sum of the three (POV-Ray 3.8). With the larger sphere on top it may have a step.
     Ovus(double bottom, double top, double distance, double arc);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
@@ -35,6 +35,7 @@ private:
     double arc_;  ///< radius of the arc: (rho + offset)^2 + (y - height)^2 = arc^2
     double offset_, height_;
     double low_, high_;  ///< heights between which it is used
+    bool heights_of_38_ = false;
 };
 
 }  // namespace csg

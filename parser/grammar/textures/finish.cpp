@@ -17,7 +17,9 @@ struct FinishState : BlockState {
     bool from_zero =
         false;  ///< `fresnel` stands in this block of a reflection: without a second colour the first is the most
     bool two_colors = false;
-    bool one_color = false;    ///< of the reflection that was written in this finish
+    /// POV-Ray 3.8 looks when the finish ends: a mirror with `fresnel` whose two colours are one, however they were
+    /// written, has none head-on (spec 7b, 1). 3.7 goes by how many were written.
+    bool even_mirrors() { return stream().povray() == scene::PovRay::V38 || finish.fresnel != 0; }
     float old_brilliance = 0;  ///< where the block begins
     void take(const std::shared_ptr<const scene::Finish>& declared) { finish = *declared; }
 };
@@ -66,7 +68,6 @@ struct finish_fresnel : item<Kind::Fresnel, number_or<1>> {
         if (s.stream().strictly_37()) s.fail("'fresnel' of a whole finish is a word of POV-Ray 3.8");
         s.finish.fresnel = s.pop_single();
         s.finish.reflection.fresnel = s.finish.fresnel != 0;
-        if (s.one_color && s.finish.fresnel != 0) s.finish.reflection.min = glm::vec3(0);
     }
 };
 struct use_alpha : item<Kind::UseAlpha, number_or<1>> {
@@ -124,19 +125,15 @@ struct reflection : item<Kind::Reflection, by_action<pegtl::sor<ReflectionBlock,
         Reflection& r = s.finish.reflection;
         const bool of_finish = s.finish.fresnel != 0;  // a mirror has it too where nothing else is said
         if (s.stream().peek().kind != Kind::LeftBrace) {
-            r.max = parser::rgb_expr(s.stream()).rgb();
-            r.min = of_finish ? glm::vec3(0) : r.max;
+            r.min = r.max = parser::rgb_expr(s.stream()).rgb();
             r.falloff = 1;
             r.fresnel = of_finish;
-            s.one_color = true;
             return;
         }
         r.min = r.max = glm::vec3(0);
-        s.from_zero = of_finish;
-        s.two_colors = false;
+        s.from_zero = s.two_colors = false;
         ReflectionBlock::read(s.build, s);
-        if (s.from_zero && !s.two_colors) r.min = glm::vec3(0);
-        s.one_color = !s.two_colors;
+        if (s.from_zero && !s.two_colors && !s.even_mirrors()) r.min = glm::vec3(0);
     }
 };
 struct polished : item<Kind::WhittlePolished, a_number> {
@@ -237,6 +234,8 @@ Finish read_finish(SceneBuilder& build, const Finish& before)
         s.finish.diffuse *= scene::diffuse_of_albedo(s.old_brilliance);
         s.finish.diffuse_back *= scene::diffuse_of_albedo(s.old_brilliance);
     }
+    scene::Reflection& mirror = s.finish.reflection;
+    if (mirror.fresnel && mirror.min == mirror.max && s.even_mirrors()) mirror.min = glm::vec3(0);
     s.finish.source = source;
     return s.finish;
 }

@@ -25,15 +25,14 @@ glm::ivec3 repeat(const Pattern& pattern)
 
 glm::dvec3 base_cell(const glm::dvec3& p) { return glm::floor(p - kTiny); }
 
-/// Whose noise is the value of a solid cell: the nearest point, moved as the cell that it was found from has to be to
-/// lie among the first ones (spec 7b, 4).
+/// Whose noise is the value of a solid cell: the nearest point, moved as the place that asks has to be to lie among the
+/// first cells (spec 7b, 4).
 glm::dvec3 solid_point(const Pattern& pattern, const glm::dvec3& p, CellPoints& cells)
 {
     glm::dvec3 point = nearest_cells(p, cells, pattern.numbers[0], false, 1).point;
-    const glm::dvec3 base = base_cell(p);
     const glm::ivec3 cycle = repeat(pattern);
     for (int k = 0; k < 3; ++k)
-        if (const double size = cycle[k]; size > 0.0) point[k] -= size * std::floor(base[k] / size);
+        if (const double size = cycle[k]; size > 0.0) point[k] -= size * std::floor(p[k] / size);
     return point;
 }
 

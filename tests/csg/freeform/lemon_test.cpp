@@ -147,6 +147,44 @@ TEST_CASE("an egg with an arc of its own is where POV-Ray 3.8 has it", "[csg][ov
     for (double y = -0.5; y < 1.3; y += 0.1) CHECK(met(usual, y).first == Approx(met(two, y).first).margin(1e-12));
 }
 
+TEST_CASE("an egg with the larger sphere on top has POV-Ray 3.8's arc", "[csg][ovus]")
+{
+    const Freeform solid{make_freeform<Ovus>(0.4, 0.7, 1.2, 1.7), {}};
+    const double told[][4] = {{0.2, -0.130519, -0.635551, -0.772059},
+                              {0.9, -0.635908, -0.932839, -0.360294},
+                              {1.0, -0.670820, -0.958315, -0.285714},
+                              {1.7, -0.489898, -0.699854, 0.714286}};
+    for (const auto& [y, x, nx, ny] : told) {
+        const auto [at, normal] = met(solid, y);
+        CHECK(at == Approx(x).margin(1e-6));
+        CHECK(normal.x == Approx(nx).margin(1e-6));
+        CHECK(normal.y == Approx(ny).margin(1e-6));
+    }
+    // Of the first sphere nothing is met, though it is inside.
+    for (const double y : {-0.3, 0.0}) {
+        FixedSpans<8> spans;
+        solid.intersect(Ray{{-9, y, 0}, {1, 0, 0}}, spans);
+        CHECK(spans.empty());
+        CHECK(solid.contains({0, y, 0}));
+    }
+    // A step: the ball ends where the arc begins.
+    const auto from_below = [](double x) {
+        FixedSpans<8> spans;
+        Freeform{make_freeform<Ovus>(0.5, 0.65, 0.5, 1.3), {}}.intersect(Ray{{x, -9, 0}, {0, 1, 0}}, spans);
+        return spans[0].in.t - 9.0;
+    };
+    CHECK(from_below(0.37) == Approx(-0.33630).margin(1e-5));
+    CHECK(from_below(0.38) == Approx(-0.26171).margin(1e-5));
+}
+
+TEST_CASE("coordinates of POV-Ray 3.8's egg go by height", "[csg][ovus]")
+{
+    const Ovus egg(0.6, 0.3, 0.6, 1.2);
+    const double told[][2] = {{0.8225, 0.17905}, {0.6725, 0.24488}, {0.2975, 0.50208}, {0.0725, 0.68959},
+                              {-0.0775, 0.75137}, {-0.3025, 0.77652}, {-0.4525, 0.82438}};
+    for (const auto& [y, v] : told) CHECK(egg.uv({0.2, y, 0.1}, 0).y == Approx(v).margin(2e-5));
+}
+
 TEST_CASE("a torus that crosses itself is what its kind says", "[csg][torus]")
 {
     const auto outer = [](const glm::dvec3& p) {

@@ -1,4 +1,5 @@
 #include "render/scene/solids.h"
+#include "render/scene/textures/image_map.h"
 #include "tests/parser/grammar_support.h"
 
 #include <catch2/catch.hpp>
@@ -114,4 +115,51 @@ TEST_CASE("polarity and a text's character map are read", "[parser][3.8]")
     CHECK(solid38_of<scene::Isosurface>("isosurface { function { x } polarity -2 }").polarity == -2.0);
     CHECK(error_of(k38 + "text { ttf \"/usr/share/povray-3.7/include/timrom.ttf\" cmap { 3, 0.5 } \"a\", 1, 0 }")
               .find("whole numbers") != std::string::npos);
+}
+
+TEST_CASE("a finish of 3.8 needs no number, and looks at its mirror when it ends", "[parser][3.8]")
+{
+    const auto finish = [](const std::string& version, const std::string& written) {
+        const scene::Description d = parsed(version + "sphere { 0, 1 finish { " + written + " } }");
+        return std::get<std::vector<scene::Layer>>(d.objects.front().texture->kind).front().finish;
+    };
+    CHECK(finish(k38, "fresnel use_alpha emission 0.5").fresnel == 1.0f);
+    CHECK(finish(k38, "fresnel use_alpha emission 0.5").use_alpha);
+    const auto head_on = [&](const std::string& version, const std::string& written) {
+        return finish(version, written).reflection.min.x;
+    };
+    CHECK(head_on(k38, "reflection { 0.5 fresnel }") == 0.0f);
+    CHECK(head_on(k38, "reflection { 0.5, 0.5 fresnel }") == 0.0f);
+    CHECK(head_on(k38, "reflection { 0.5 fresnel } fresnel off") == 0.5f);
+    CHECK(head_on(k38, "reflection 0.5 fresnel on") == 0.0f);
+    CHECK(head_on(k38, "reflection { 0.25, 0.5 } fresnel on") == 0.25f);
+    CHECK(head_on(k37, "reflection { 0.5 fresnel }") == 0.0f);
+    CHECK(head_on(k37, "reflection { 0.5, 0.5 fresnel }") == 0.5f);
+}
+
+TEST_CASE("a lamp's power counts alone where #version is 3.8 at the lamp", "[parser][3.8]")
+{
+    const auto alone = [](const std::string& before) {
+        const scene::Description d = parsed(before + "light_source { 0, 1 fade_power 2 }");
+        return std::get<scene::Shared<scene::Light>>(d.objects.front().shape)->fades_from_start;
+    };
+    CHECK(alone(k38));
+    CHECK_FALSE(alone(k37));
+    CHECK_FALSE(alone(k38 + "#version 3.7;"));
+    CHECK_FALSE(alone("#version 3.79;"));
+}
+
+TEST_CASE("a picture follows the #version of the place that names it", "[parser][3.8]")
+{
+    const auto version = [](const std::string& before, const std::string& after) {
+        const scene::Description d =
+            parsed(before + "sphere { 0, 1 pigment { image_map { function 2, 2 { x } } } }" + after);
+        const auto& layer = std::get<std::vector<scene::Layer>>(d.objects.front().texture->kind).front();
+        const auto& pattern = std::get<scene::Shared<scene::PatternedPigment>>(layer.pigment.kind)->pattern;
+        return std::get<std::shared_ptr<const scene::ImageMap>>(pattern.data)->source.version;
+    };
+    CHECK(version(k38, "") == 380);
+    CHECK(version(k38, "#version 3.5;") == 380);
+    CHECK(version("#version 3.5;", "#version 3.7;") == 350);
+    CHECK(version("", "") == 362);
 }

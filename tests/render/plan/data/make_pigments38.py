@@ -31,7 +31,8 @@ POTENTIALS = [f"potential {{ {solid} }} {rest}" for solid, rest in (
     (with_modifier(SURFACE, "inverse"), "threshold on"), (with_modifier(SURFACE, "polarity 1"), "threshold on"), (with_modifier(SURFACE, "inverse rotate y*40"), ""))]
 CRACKLES = [f"crackle {rest}" for rest in (
     "repeat <2, 3, 2>", "repeat <2.7, 3, 0.9>", "repeat 1", "repeat <0, 4, 0> form <1, 0, 0>", "repeat 2 solid",
-    "repeat <3, 2, 1> metric 3", "repeat 2 metric 1 offset 0.1", "solid", "")]
+    "repeat <3, 2, 1> metric 3", "repeat 2 metric 1 offset 0.1", "solid", "",
+    "repeat 3 solid warp { planar }")]
 PICTURES = [f'image_map {{ png "{picture}.png" gamma 1 {rest} }}'
             for picture in ("vrgb", "vrgba", "vpal")
             for rest in ("map_type 7", "map_type 7 interpolate 2 once", "transmit all 0.3", "filter all 0.4 transmit all 0.3",
@@ -39,6 +40,10 @@ PICTURES = [f'image_map {{ png "{picture}.png" gamma 1 {rest} }}'
 CURVES = [f'image_map {{ png "vrgb.png" gamma {curve} }}' for curve in ("srgb", "bt709", "bt2020", "1.8")]
 FADED = ['image_map { png "vrgba.png" gamma 1 premultiplied on transmit all 0.3 filter all 0.4 }']
 MAPS = ["gradient x color_map { " + " ".join(f"[{i / 299:.6f} rgb <{i * 37 % 100 / 100}, {i / 299:.4f}, 0>]" for i in range(300)) + " }"]
+
+LISTS = [f"{word} rgb x, rgb y{more} {rest}" for word, more in (("checker", ""), ("brick", ""), ("hexagon", ", rgb z"), ("square", ", rgb z, rgb 1"),
+                                                                ("triangular", ", rgb z, rgb 1, rgb 0, rgb 0.5"), ("cubic", ", rgb z, rgb 1, rgb 0, rgb 0.5"))
+         for rest in ("frequency 1 phase 0.3", "sine_wave")] + ["object { sphere { 0, 1.5 } rgb x, rgb y } frequency 1 phase 0.4"]
 
 
 def asked(statements, points):
@@ -61,7 +66,7 @@ def asked(statements, points):
 
 
 def main():
-    statements = [f"{p} {VALUES}" for p in POTENTIALS] + CRACKLES + PICTURES + CURVES + FADED + MAPS
+    statements = [f"{p} {VALUES}" for p in POTENTIALS] + CRACKLES + PICTURES + CURVES + FADED + MAPS + LISTS
     chance = random.Random(1)
     points = [[round(chance.uniform(-2.5, 2.5), 3) for _ in range(3)] for _ in range(12)]
     # POV-Ray's cells of crackle outlive a pattern, whatever the next one's repeat: each is asked by itself.
