@@ -16,6 +16,26 @@ struct Enclosing {
     {
         if (count < textures.size()) textures[count++] = texture;
     }
+    void leave_all() { count = through_ = 0; }
+
+    /// A normal of the surface in the innermost space. Textures are entered and not left, and a hit has one normal, so
+    /// it is carried on from where the last one was.
+    glm::dvec3 into(const TextureSet& set, const glm::dvec3& n)
+    {
+        if (through_ == 0 || n != surface_) {
+            surface_ = within_ = n;
+            through_ = 0;
+        }
+        for (; through_ < count; ++through_) {
+            const Texture& map = set.textures[textures[through_]];
+            within_ = normal_into(set, set.patterns[map.pattern], within_, map.no_bump_scale);
+        }
+        return within_;
+    }
+
+private:
+    glm::dvec3 surface_{0}, within_{0};  ///< a normal, and what it is within so many textures
+    std::size_t through_ = 0;
 };
 
 /// What a texture shows at a point: layers, or entries of a map or of an average.
@@ -81,14 +101,11 @@ void each_layers(const TextureSet& set, std::uint32_t index, const glm::dvec3& p
 /// length, but within texture maps with no_bump_scale: there it is as long as their transformations make it, and lit
 /// so.
 [[gnu::always_inline]] inline glm::dvec3 bent_normal(const TextureSet& set, std::uint32_t normal, glm::dvec3 n,
-                                                     const glm::dvec3& p, Surroundings& around,
-                                                     const Enclosing& enclosing)
+                                                     const glm::dvec3& p, Surroundings& around, Enclosing& enclosing)
 {
     if (normal == kNone) return n;
     const auto map = [&](std::size_t i) -> const Texture& { return set.textures[enclosing.textures[i]]; };
-    for (std::size_t i = 0; i < enclosing.count; ++i)
-        n = normal_into(set, set.patterns[map(i).pattern], n, map(i).no_bump_scale);
-    n = glm::normalize(perturb(set, normal, n, p, around));
+    n = glm::normalize(perturb(set, normal, enclosing.into(set, n), p, around));
     for (std::size_t i = enclosing.count; i-- > 0;)
         n = normal_out_of(set, set.patterns[map(i).pattern], n, map(i).no_bump_scale);
     return n;

@@ -59,7 +59,7 @@ public:
         for (std::size_t k = 0; k < size_; ++k) {
             const float here = share(k);
             if (!(here > 0.0f)) continue;
-            enclosing.count = 0;
+            enclosing.leave_all();
             texture::each_layers(scene_.textures, texture(k), p, around, enclosing, here, f);
         }
     }

@@ -10,8 +10,8 @@ namespace trace {
 
 /// What layers leave of light that comes straight at a normal. power: of caustics
 inline glm::vec3 past_layers(const plan::CompiledScene& scene, const texture::Texture& texture, const glm::dvec3& p,
-                             texture::Surroundings& around, const glm::dvec3& normal,
-                             const texture::Enclosing& enclosing, float power)
+                             texture::Surroundings& around, const glm::dvec3& normal, texture::Enclosing& enclosing,
+                             float power)
 {
     const auto& set = scene.textures;
     glm::vec3 light(1);

@@ -32,7 +32,7 @@ void shade_surface(Context& context, DirectBatch& batch, HitContext& hit, const 
     for (std::size_t k = 0; k < shown.size(); ++k) {
         const float share = shown.share(k);
         if (static_cast<double>(share) < context.adc_bailout) continue;
-        hit.enclosing.count = 0;
+        hit.enclosing.leave_all();
         const ColorSlot slot = node.slot_of(k, share);
         tell<&Recorder::entry>(context.scratch.shade, slot, shown.number(k), false);
         shade_texture(context, batch, hit, shown.texture(k), p, slot);
