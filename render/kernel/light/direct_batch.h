@@ -83,11 +83,10 @@ public:
     std::size_t room(HitMask hits, std::size_t pages) const
     {
         const std::vector<HitMask>& laid = scratch_.rows.laid;
-        for (std::size_t first = 0;; ++first) {
-            HitMask taken = 0;
-            for (std::size_t d = first; d < std::min(first + pages, laid.size()); ++d) taken |= laid[d];
-            if ((taken & hits) == 0) return first;
-        }
+        std::size_t first = 0;
+        for (std::size_t d = 0; d < std::min(first + pages, laid.size()); ++d)
+            if ((laid[d] & hits) != 0) first = d + 1;
+        return first;
     }
 
     /// Rows of a layer for hits whose colour some others will make of them, and from which no ray goes on. Its pigments
@@ -102,7 +101,7 @@ public:
         if (d == scratch_.rows.laid.size()) scratch_.rows.laid.push_back(0);
         scratch_.rows.laid[d] |= hits;
         for (TileFloats TileColors::*channel : kChannels)
-            each_part(count_, hits, [&](std::size_t i, FloatMask here) {
+            each_part_of(hits, [&](std::size_t i, FloatMask here) {
                 here.chosen(part(filter.*channel, i), part(at.filter.*channel, i))
                     .store_aligned((at.filter.*channel).data() + i);
             });
@@ -363,7 +362,7 @@ private:
     void color(RowPage& at, HitMask hits, HitMask clear, const texture::ColorPoints& c)
     {
         tell<&Recorder::pigments>(scratch_, at, hits, clear, c);
-        color_rows(at, count_, {hits, clear, set_.legacy_opacity, context_.indirect != nullptr}, c);
+        color_rows(at, {hits, clear, set_.legacy_opacity, context_.indirect != nullptr}, c);
     }
 
     /// A dull layer that is wholly clear shows no light, so no lamp is asked for it.

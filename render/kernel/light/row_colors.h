@@ -29,7 +29,7 @@ inline void color_each(RowPage& at, const ColoredHits& of, const texture::ColorP
 }
 
 /// Pigment, glow and diffuse share of the rows of some hits; the same bits for few of them as for many.
-inline void color_rows(RowPage& at, int count, const ColoredHits& of, const texture::ColorPoints& c)
+inline void color_rows(RowPage& at, const ColoredHits& of, const texture::ColorPoints& c)
 {
     if (few(of.hits)) return color_each(at, of, c);
     alignas(64) TileFloats alpha;
@@ -37,18 +37,18 @@ inline void color_rows(RowPage& at, int count, const ColoredHits& of, const text
     if (of.clear != 0 && of.legacy_opacity) {
         for_each_hit(of.hits & of.clear, [&](std::size_t k) { alpha[k] = texture::opacity(c.at(k), true); });
     } else if (of.clear != 0) {
-        each_part(count, of.clear, [&](std::size_t i, FloatMask counts) {
+        each_part_of(of.clear, [&](std::size_t i, FloatMask counts) {
             const FloatPart one(1.0f);
             counts.chosen(one - part(c.filter, i) - part(c.transmit, i), one).store_aligned(alpha.data() + i);
         });
     }
     if (of.keeps_alpha)
-        each_part(count, of.hits, [&](std::size_t i, FloatMask here) {
+        each_part_of(of.hits, [&](std::size_t i, FloatMask here) {
             here.chosen(part(alpha, i), part(at.alpha, i)).store_aligned(at.alpha.data() + i);
         });
     const auto component = [&](const std::array<float, csg::kTileRays>& from, TileFloats TileColors::*channel) {
         TileFloats &pigment = at.pigment.*channel, &glow = at.glow.*channel;
-        each_part(count, of.hits, [&](std::size_t i, FloatMask here) {
+        each_part_of(of.hits, [&](std::size_t i, FloatMask here) {
             const FloatPart own = part(from, i);
             here.chosen(own, part(pigment, i)).store_aligned(pigment.data() + i);
             here.chosen(own * part(at.emitted.*channel, i) * part(alpha, i), part(glow, i))
@@ -58,18 +58,19 @@ inline void color_rows(RowPage& at, int count, const ColoredHits& of, const text
     component(c.red, &TileColors::red);
     component(c.green, &TileColors::green);
     component(c.blue, &TileColors::blue);
-    alignas(64) TileLanes diffuse;
-    each_place(count, [&](std::size_t k) {
-        diffuse[k] = static_cast<double>(at.finish_diffuse[k]) * static_cast<double>(alpha[k]);
-    });
     using csg::lanes::Double;
     constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += csg::lanes::kDoubles) {
-        double* to = at.diffuse.data() + i;
-        xsimd::select(csg::lanes::lanes_of(static_cast<std::uint32_t>(of.hits >> i & kVector)),
-                      Double::load_aligned(diffuse.data() + i), Double::load_aligned(to))
-            .store_aligned(to);
-    }
+    each_part_of(of.hits, [&](std::size_t first, FloatMask) {
+        alignas(64) std::array<double, kFloatPart> diffuse;
+        for (std::size_t k = 0; k < kFloatPart; ++k)
+            diffuse[k] = static_cast<double>(at.finish_diffuse[first + k]) * static_cast<double>(alpha[first + k]);
+        for (std::size_t k = 0; k < kFloatPart; k += csg::lanes::kDoubles) {
+            double* to = at.diffuse.data() + first + k;
+            xsimd::select(csg::lanes::lanes_of(static_cast<std::uint32_t>(of.hits >> (first + k) & kVector)),
+                          Double::load_aligned(diffuse.data() + k), Double::load_aligned(to))
+                .store_aligned(to);
+        }
+    });
 }
 
 }  // namespace trace

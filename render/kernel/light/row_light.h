@@ -40,17 +40,19 @@ namespace trace {
 /// Cosines of a page's normals with the light at hand, by amount, raised to the finish's brilliance; those of `on` that
 /// turn away from it leave, where they are of `turning`: others have been asked before.
 inline void find_intensities(const RowPage& at, const double* const (&n)[3], HitMask turning, const TileLight& light,
-                             int count, HitMask& on, TileLanes& intensity)
+                             HitMask& on, TileLanes& intensity)
 {
     using csg::lanes::Double;
     HitMask away = 0;
-    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
-        const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
-        const Double facing = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
-                              get(n[2]) * get(light.z.data());
-        away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
-        xsimd::abs(facing).store_aligned(intensity.data() + i);
-    }
+    each_part_of(on, [&](std::size_t first, FloatMask) {
+        for (std::size_t i = first; i < first + kFloatPart; i += csg::lanes::kDoubles) {
+            const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
+            const Double facing = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
+                                  get(n[2]) * get(light.z.data());
+            away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+            xsimd::abs(facing).store_aligned(intensity.data() + i);
+        }
+    });
     on &= ~(away & turning);
     if ((on & at.raised) != 0) raise_intensities(at, on & at.raised, intensity);
 }
@@ -85,13 +87,6 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
     }
 }
 
-/// Zeroes the places behind the last vector of so many hits, which each_place() goes through with it.
-inline void clear_last(int count, TileLanes& of)
-{
-    constexpr std::size_t kBlock = 16;
-    std::fill_n(of.data() + (static_cast<std::size_t>(count) - 1) / kBlock * kBlock, kBlock, 0.0);
-}
-
 /// Adds what a light gives to a page's rows. reached: hits that it reaches, with ShadeScratch::reaching; turning: hits
 /// of which some rows may face away from it; grains: numbers of `crand` asked for so far, by hit.
 inline void light_page(RowPage& at, HitMask reached, HitMask turning, const light::Light& light,
@@ -105,11 +100,12 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
                                 bent ? at.ny.data() : scratch.hits.ny.data(),
                                 bent ? at.nz.data() : scratch.hits.nz.data()};
     alignas(64) TileLanes intensity;
-    clear_last(rays.count, intensity);
-    find_intensities(at, n, turning, scratch.lamp.light, rays.count, on, intensity);
+    find_intensities(at, n, turning, scratch.lamp.light, on, intensity);
     const HitMask shiny = light.shadowless ? 0 : on & at.shiny;
     alignas(64) TileFloats diffuse, strength;
-    each_place(rays.count, [&](std::size_t k) { diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]); });
+    each_part_of(on, [&](std::size_t i, FloatMask) {
+        for (std::size_t k = i; k < i + kFloatPart; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
+    });
     for_each_hit(on & at.grainy, [&](std::size_t k) {
         const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
         diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
@@ -117,34 +113,38 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
     tell<&Recorder::diffuse>(scratch, at, on, diffuse);
     if (shiny != 0) {
         alignas(64) TileLanes found;
-        clear_last(rays.count, found);
         find_highlights(rays, n, scratch.lamp.light, at.lobe, shiny, found);
-        const LaneMask shines(shiny);
-        each_place(rays.count,
-                   [&](std::size_t k) { strength[k] = shines[k] != 0 ? static_cast<float>(found[k]) : 0.0f; });
+        each_part_of(on, [&](std::size_t i, FloatMask) {
+            for (std::size_t k = i; k < i + kFloatPart; ++k) strength[k] = static_cast<float>(found[k]);
+            FloatMask(shiny >> i).kept(part(strength, i)).store_aligned(&strength[i]);
+        });
     }
-    const LaneMask gains(on), has_diffuse(at.lit);
     const auto gain = [&](auto&& highlight) {
-        for (TileFloats TileColors::*channel : {&TileColors::red, &TileColors::green, &TileColors::blue}) {
-            const float *pigment = (at.pigment.*channel).data(), *color = (scratch.lamp.reaching.*channel).data();
-            float* gained = (at.gained.*channel).data();
-            each_place(rays.count, [&](std::size_t k) {
-                const float from_diffuse = has_diffuse[k] != 0 ? diffuse[k] * pigment[k] * color[k] : 0.0f;
-                const float sum = from_diffuse + highlight(k, color[k], pigment[k]);
-                gained[k] = gains[k] != 0 ? gained[k] + sum : gained[k];
+        for (TileFloats TileColors::*channel : kChannels) {
+            const TileFloats &pigments = at.pigment.*channel, &colors = scratch.lamp.reaching.*channel;
+            TileFloats& gained = at.gained.*channel;
+            each_part_of(on, [&](std::size_t i, FloatMask gains) {
+                const FloatPart pigment = part(pigments, i), color = part(colors, i), before = part(gained, i);
+                const FloatPart from_diffuse = FloatMask(at.lit >> i).kept(part(diffuse, i) * pigment * color);
+                gains.chosen(before + (from_diffuse + highlight(i, color, pigment)), before).store_aligned(&gained[i]);
             });
         }
     };
-    if (shiny == 0) return gain([](std::size_t, float, float) { return 0.0f; });
+    const FloatPart none(0.0f), one(1.0f);
+    if (shiny == 0) return gain([&](std::size_t, const FloatPart&, const FloatPart&) { return none; });
+    // strength times what it is multiplied by, which may be infinite where there is none
+    const auto shining = [&](std::size_t i, const FloatPart& by) {
+        const FloatPart strong = part(strength, i);
+        return xsimd::select(strong != none, strong * by, none);
+    };
     const HitMask tinted = at.tinted & shiny;
     if (tinted == 0)
-        return gain(
-            [&](std::size_t k, float color, float) { return strength[k] != 0.0f ? strength[k] * color : 0.0f; });
+        return gain([&](std::size_t i, const FloatPart& color, const FloatPart&) { return shining(i, color); });
     alignas(64) TileFloats share;
     find_tints(at, n, rays, tinted, scratch.lamp.light, share);
-    gain([&](std::size_t k, float color, float pigment) {
-        const float tint = share[k] != 0.0f ? 1.0f + share[k] * (pigment - 1.0f) : 1.0f;
-        return strength[k] != 0.0f ? strength[k] * (color * tint) : 0.0f;
+    gain([&](std::size_t i, const FloatPart& color, const FloatPart& pigment) {
+        const FloatPart shared = part(share, i);
+        return shining(i, color * xsimd::select(shared != none, one + shared * (pigment - one), one));
     });
 }
 

@@ -27,7 +27,7 @@ void shade(Context& context, const RayTile& rays, const HitTile& hits, const Ray
     LightStage(context, tile, batch).run();
     IndirectStage(context, tile, batch).run();
     batch.finish();
-    mix_maps(context, rays.count);
+    mix_maps(context);
     batch.close_nodes(queue);
     const HitMask missed = first_hits(rays.count) & ~tile.found();
     const auto put = [&](std::size_t k, const scene::Color& color) {

@@ -19,28 +19,28 @@ struct LaneBlends {
 };
 
 /// The mixture of two entries; both infinite are infinite too (RayQueue's nodes).
-void mix_entries(const LaneBlends& blends, int count, const TileColors& upper, TileColors& out)
+void mix_entries(const LaneBlends& blends, const TileColors& upper, TileColors& out)
 {
     for (TileFloats TileColors::*channel : kChannels) {
         TileFloats& low = out.*channel;
         const TileFloats& high = upper.*channel;
-        alignas(64) TileFloats step, moved;
-        each_part(count, 0, [&](std::size_t i, FloatMask) { (part(high, i) - part(low, i)).store_aligned(&step[i]); });
-        each_place(count, [&](std::size_t k) {
-            moved[k] = static_cast<float>(blends.share[k] * static_cast<double>(step[k]));
-        });
-        each_part(count, blends.blended, [&](std::size_t i, FloatMask blended) {
-            const FloatPart own = part(low, i), mixed = xsimd::select(own == part(high, i), own, own + part(moved, i));
+        alignas(64) TileFloats moved;
+        each_part_of(blends.blended, [&](std::size_t i, FloatMask blended) {
+            const FloatPart own = part(low, i);
+            (part(high, i) - own).store_aligned(&moved[i]);
+            for (std::size_t k = i; k < i + kFloatPart; ++k)
+                moved[k] = static_cast<float>(blends.share[k] * static_cast<double>(moved[k]));
+            const FloatPart mixed = xsimd::select(own == part(high, i), own, own + part(moved, i));
             blended.chosen(mixed, own).store_aligned(&low[i]);
         });
     }
 }
 
 /// Takes the colours of these hits.
-void take_colors(HitMask hits, int count, const TileColors& from, TileColors& to)
+void take_colors(HitMask hits, const TileColors& from, TileColors& to)
 {
     for (TileFloats TileColors::*channel : kChannels)
-        each_part(count, hits, [&](std::size_t i, FloatMask here) {
+        each_part_of(hits, [&](std::size_t i, FloatMask here) {
             here.chosen(part(from.*channel, i), part(to.*channel, i)).store_aligned(&(to.*channel)[i]);
         });
 }
@@ -75,12 +75,12 @@ HitMask TextureMaps::lay_rows(const Context& context, DirectBatch& batch, std::u
     return closed;
 }
 
-void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileColors& out) const
+void TextureMaps::mix(const Context& context, std::uint32_t at, TileColors& out) const
 {
     const auto& set = context.scene.textures;
     const Place& place = textures_[at];
     const Texture& texture = set.textures[place.texture];
-    if (texture.kind == Texture::Kind::Layers) return mix_layers(context, place, texture.count, count, out);
+    if (texture.kind == Texture::Kind::Layers) return mix_layers(context, place, texture.count, out);
     const std::uint32_t* entries = entries_.data() + place.entries;
     TileColors found, upper;
     if (texture.kind == Texture::Kind::Average) {
@@ -89,15 +89,15 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
         for (std::uint32_t entry = 0; entry < texture.count; ++entry) {
             const float weight = set.keys[texture.first + entry];
             weights += weight;
-            mix(context, entries[entry], count, found);
+            mix(context, entries[entry], found);
             for (TileFloats TileColors::*channel : kChannels)
-                each_part(count, 0, [&](std::size_t i, FloatMask) {
+                each_part_of(place.hits, [&](std::size_t i, FloatMask) {
                     (part(out.*channel, i) + FloatPart(weight) * part(found.*channel, i))
                         .store_aligned(&(out.*channel)[i]);
                 });
         }
         for (TileFloats TileColors::*channel : kChannels)
-            each_part(count, 0, [&](std::size_t i, FloatMask) {
+            each_part_of(place.hits, [&](std::size_t i, FloatMask) {
                 (part(out.*channel, i) / FloatPart(weights)).store_aligned(&(out.*channel)[i]);
             });
         return;
@@ -105,7 +105,7 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
     const auto shown = [](std::uint32_t entry) { return entry != texture::kNone; };
     const std::uint32_t* const end = entries + texture.count;
     const std::uint32_t* const only = std::find_if(entries, end, shown);
-    if (std::find_if(only + 1, end, shown) == end) return mix(context, *only, count, out);
+    if (std::find_if(only + 1, end, shown) == end) return mix(context, *only, out);
     const Map& map = maps_[place.first];
     LaneBlends blends;
     std::size_t from = 0;
@@ -119,23 +119,22 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, int count, TileC
     upper.fill(0.0f);
     for (std::uint32_t i = 0; i < texture.count; ++i) {
         if (entries[i] == texture::kNone) continue;
-        mix(context, entries[i], count, found);
-        take_colors(csg::lanes::equal(blends.lower, i), count, found, out);
-        take_colors(csg::lanes::equal(blends.upper, i), count, found, upper);
+        mix(context, entries[i], found);
+        take_colors(place.hits & csg::lanes::equal(blends.lower, i), found, out);
+        take_colors(blends.blended & csg::lanes::equal(blends.upper, i), found, upper);
     }
-    mix_entries(blends, count, upper, out);
+    mix_entries(blends, upper, out);
 }
 
 /// The sum of a texture's rows.
-void TextureMaps::mix_layers(const Context& context, const Place& place, std::uint32_t layers, int count,
-                             TileColors& out) const
+void TextureMaps::mix_layers(const Context& context, const Place& place, std::uint32_t layers, TileColors& out) const
 {
     for (std::uint32_t depth = 0; depth < layers; ++depth) {
         const HitMask asked = asked_[place.first + depth];
         if (asked == 0) return;
         const RowPage& page = context.scratch.shade.rows.pages[place.page + depth];
         for (TileFloats TileColors::*channel : kChannels)
-            each_part(count, asked, [&](std::size_t i, FloatMask here) {
+            each_part_of(asked, [&](std::size_t i, FloatMask here) {
                 const FloatPart own = part(page.glow.*channel, i) + part(page.gained.*channel, i),
                                 row = here.kept(part(page.filter.*channel, i) * own);
                 (depth == 0 ? row : part(out.*channel, i) + row).store_aligned(&(out.*channel)[i]);

@@ -265,15 +265,15 @@ private:
 };
 
 /// The colours of hits whose texture maps have all their rows, in the place of the sums of these, once all lights have
-/// been added. count: of the tile.
-inline void mix_maps(const Context& context, int count)
+/// been added.
+inline void mix_maps(const Context& context)
 {
     const SurfaceScratch& own = context.scratch.shade.surface();
     TileColors colors;
     for (std::size_t g = 0; g < own.mapped_count; ++g) {
         const MappedGroup& group = own.mapped[g];
         if (group.mixed == 0) continue;
-        own.maps.mix(context, group.place, count, colors);
+        own.maps.mix(context, group.place, colors);
         for_each_hit(group.mixed, [&](std::size_t k) { context.scratch.shade.rows.sums.set(k, colors[k]); });
     }
 }

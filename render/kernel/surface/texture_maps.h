@@ -33,8 +33,8 @@ public:
     /// No layer may have more than colour, diffuse light and highlights (plan::PatternedLayers::alone).
     HitMask lay_rows(const Context& context, DirectBatch& batch, std::uint32_t at);
 
-    /// Once all lights have been added: the colours of those hits, among the tile's first `count`.
-    void mix(const Context& context, std::uint32_t at, int count, TileColors& out) const;
+    /// Once all lights have been added: the colours of those hits.
+    void mix(const Context& context, std::uint32_t at, TileColors& out) const;
 
     /// shade_texture() of hit `hit.lane` by what has been looked up; `at`: from look_up(). Its point is place `k` of
     /// `points`, and is read where something still asks for it.
@@ -67,7 +67,7 @@ private:
     };
     struct Part;
 
-    void mix_layers(const Context& context, const Place& place, std::uint32_t layers, int count, TileColors& out) const;
+    void mix_layers(const Context& context, const Place& place, std::uint32_t layers, TileColors& out) const;
     void begin_map(const texture::TextureSet& set, std::size_t at, const Seen& seen, texture::Points& q);
     static const texture::Texture* bent_within(const Context& context, const texture::Texture& map, const Seen& seen,
                                                texture::Points& normals);

@@ -31,6 +31,15 @@ inline void each_part(int count, HitMask mask, F&& f)
     for (std::size_t first = 0; first < static_cast<std::size_t>(count); first += kBlock)
         for (std::size_t i = first; i < first + kBlock; i += kPart) f(i, FloatMask(mask >> i));
 }
+/// The same for the registers alone that have some of the mask: a page of rows often has few of a tile's hits.
+template <class F>
+inline void each_part_of(HitMask mask, F&& f)
+{
+    constexpr std::size_t kPart = static_cast<std::size_t>(kFloatPart);
+    constexpr HitMask kRegister = (HitMask{1} << kPart) - 1;
+    for (std::size_t i = 0; i < csg::kTileRays; i += kPart)
+        if ((mask >> i & kRegister) != 0) f(i, FloatMask(mask >> i));
+}
 /// Places of an array of floats from i on.
 inline FloatPart part(const std::array<float, csg::kTileRays>& of, std::size_t i)
 {
