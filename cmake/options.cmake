@@ -24,8 +24,20 @@ endif()
 set(CMAKE_UNITY_BUILD ON CACHE BOOL "compile several sources at a time")
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 20)
 
-# Levels of x86-64 (psABI: v2, v3, v4) for which a kernel module is built.
-set(WHITTLE_ISA_LEVELS v2 v3 v4 CACHE STRING "levels of x86-64 to build")
+# Levels of x86-64 (psABI: v2, v3, v4) for which a kernel module is built. Other processors have v2's alone, in words of their own
+# (numbers/instructions.h), and x86-64's signs of char.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(WHITTLE_ISA_LEVELS v2 v3 v4 CACHE STRING "levels of x86-64 to build")
+  set(WHITTLE_ISA_FLAG -march=x86-64-)
+else()
+  set(WHITTLE_ISA_LEVELS v2 CACHE STRING "levels of x86-64 to build" FORCE)
+  add_compile_options(-fsigned-char)
+  # xsimd asks for the headers of x86-64's compilers.
+  foreach(header IN ITEMS emmintrin xmmintrin pmmintrin tmmintrin smmintrin nmmintrin)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/x86/${header}.h CONTENT "#include \"numbers/instructions.h\"\n")
+  endforeach()
+  include_directories(BEFORE ${PROJECT_BINARY_DIR}/x86 ${PROJECT_SOURCE_DIR})
+endif()
 
 # Programs and the modules that they open at run time go into one folder: a program looks for modules beside itself.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "numbers/instructions.h"
+
 #include <cstdint>
-#if defined(__BMI2__)
-#include <immintrin.h>
-#endif
 
 namespace csg {
 

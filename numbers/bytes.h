@@ -1,6 +1,6 @@
 #pragma once
 
-#include <emmintrin.h>
+#include "numbers/instructions.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "numbers/instructions.h"
+
 #include <xsimd/xsimd.hpp>
 
 #include <array>

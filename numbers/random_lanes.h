@@ -1,11 +1,9 @@
 #pragma once
 
+#include "numbers/instructions.h"
 #include "numbers/random.h"
 
 #include <cstddef>
-#if defined(__AVX2__)
-#include <immintrin.h>
-#endif
 
 /// random_at for many points: the same bits.
 namespace trace {

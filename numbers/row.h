@@ -1,6 +1,6 @@
 #pragma once
 
-#include <immintrin.h>
+#include "numbers/instructions.h"
 
 #include <cstddef>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "function/points/evaluate.h"
+#include "numbers/instructions.h"
 
 #include <xsimd/xsimd.hpp>
 

@@ -14,13 +14,15 @@ namespace {
 
 Isa best()
 {
+#if defined(__x86_64__)
     __builtin_cpu_init();
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
         return Isa::V4;
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2"))
         return Isa::V3;
-    return Isa::V2;
+#endif
+    return Isa::V2;  // of other processors the one there is
 }
 
 std::string name(Isa isa)

@@ -1,8 +1,8 @@
 #include "render/image/codecs/png_writer.h"
 
+#include "numbers/instructions.h"
 #include "render/image/pixels/passing_failure.h"
 
-#include <emmintrin.h>
 #include <zlib.h>
 
 #include <algorithm>

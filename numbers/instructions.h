@@ -1,0 +1,39 @@
+#pragma once
+
+/// The processor's own instructions by their names. Nothing else of ours includes them, so that another processor needs
+/// this file alone.
+#if defined(__x86_64__)
+#if defined(__AVX__) || defined(__BMI2__)
+#include <immintrin.h>
+#else
+#include <nmmintrin.h>
+#endif
+#else
+// Those of x86-64-v2 in words that any compiler turns into its processor's. Not SIMDe's own choice of NEON: that answers
+// otherwise for NaN, for halves and out of range.
+#define SIMDE_NO_NATIVE
+#define SIMDE_ENABLE_NATIVE_ALIASES
+#include <simde/x86/sse4.2.h>
+
+// SIMDe's are macros, which take no parameter packs.
+#undef _mm_setr_ps
+#undef _mm_setr_pd
+inline __m128 _mm_setr_ps(float a, float b, float c, float d) { return simde_mm_setr_ps(a, b, c, d); }
+inline __m128d _mm_setr_pd(double a, double b) { return simde_mm_setr_pd(a, b); }
+
+// xsimd takes them too, and with them the lanes, the order of sums and the bits of x86-64.
+#pragma push_macro("__ARM_NEON")
+#undef __ARM_NEON
+#define __SSE2__ 1
+#define __SSE3__ 1
+#define __SSSE3__ 1
+#define __SSE4_1__ 1
+#define __SSE4_2__ 1
+#include <xsimd/config/xsimd_config.hpp>
+#undef __SSE2__
+#undef __SSE3__
+#undef __SSSE3__
+#undef __SSE4_1__
+#undef __SSE4_2__
+#pragma pop_macro("__ARM_NEON")
+#endif
