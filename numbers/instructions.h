@@ -13,6 +13,7 @@
 // otherwise for NaN, for halves and out of range.
 #define SIMDE_NO_NATIVE
 #define SIMDE_ENABLE_NATIVE_ALIASES
+#define SIMDE_NO_CHECK_IMMEDIATE_CONSTANT  // counts of xsimd's shifts are no constants; SIMDE's functions are right for any
 #include <simde/x86/sse4.2.h>
 
 // SIMDe's are macros, which take no parameter packs.
