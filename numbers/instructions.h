@@ -22,6 +22,25 @@
 inline __m128 _mm_setr_ps(float a, float b, float c, float d) { return simde_mm_setr_ps(a, b, c, d); }
 inline __m128d _mm_setr_pd(double a, double b) { return simde_mm_setr_pd(a, b); }
 
+// SIMDe's say no where one of both is no number,
+#undef _mm_cmpnle_ps
+inline __m128 _mm_cmpnle_ps(__m128 a, __m128 b)
+{
+    return simde_mm_xor_ps(simde_mm_cmple_ps(a, b), simde_mm_castsi128_ps(simde_mm_set1_epi32(-1)));
+}
+// and have another last whole number.
+#undef _mm_cvttsd_si32
+#undef _mm_cvttpd_epi32
+inline int _mm_cvttsd_si32(__m128d a)
+{
+    const double v = simde_mm_cvtsd_f64(a);
+    return v > -2147483649.0 && v < 2147483648.0 ? static_cast<int>(v) : -2147483647 - 1;
+}
+inline __m128i _mm_cvttpd_epi32(__m128d a)
+{
+    return simde_mm_setr_epi32(_mm_cvttsd_si32(a), _mm_cvttsd_si32(simde_mm_unpackhi_pd(a, a)), 0, 0);
+}
+
 // xsimd takes them too, and with them the lanes, the order of sums and the bits of x86-64.
 #pragma push_macro("__ARM_NEON")
 #undef __ARM_NEON
