@@ -9,11 +9,12 @@
 #include <nmmintrin.h>
 #endif
 #else
-// Those of x86-64-v2 in words that any compiler turns into its processor's. Not SIMDe's own choice of NEON: that answers
-// otherwise for NaN, for halves and out of range.
+// Those of x86-64-v2 in words that any compiler turns into its processor's. Not SIMDe's own choice of NEON: that
+// answers otherwise for NaN, for halves and out of range.
 #define SIMDE_NO_NATIVE
 #define SIMDE_ENABLE_NATIVE_ALIASES
-#define SIMDE_NO_CHECK_IMMEDIATE_CONSTANT  // counts of xsimd's shifts are no constants; SIMDE's functions are right for any
+#define SIMDE_NO_CHECK_IMMEDIATE_CONSTANT  // counts of xsimd's shifts are no constants; SIMDE's functions are right for
+                                           // any
 #include <simde/x86/sse4.2.h>
 
 // SIMDe's are macros, which take no parameter packs.

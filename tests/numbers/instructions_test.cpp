@@ -9,13 +9,15 @@
 #include <cstring>
 #include <limits>
 
-/// What the sources rely on where instructions differ by processor: numbers that are none, zeros' signs, ranges, counts. As Intel's
-/// Software Developer's Manual, volume 2, has them.
+/// What the sources rely on where instructions differ by processor: numbers that are none, zeros' signs, ranges,
+/// counts. As Intel's Software Developer's Manual, volume 2, has them.
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN(), kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kOdd[] = {0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1.5, 2.5, -2.5, 2147483647.0, 2147483647.5, 2147483648.0, -2147483648.0,
-                           -2147483648.5, -2147483649.0, 1e300, -1e300, 5e-324, kInfinite, -kInfinite, kNone, -kNone};
+constexpr double kOdd[] = {0.0,           -0.0,          1.0,           -1.0,         0.5,          -0.5,
+                           1.5,           2.5,           -2.5,          2147483647.0, 2147483647.5, 2147483648.0,
+                           -2147483648.0, -2147483648.5, -2147483649.0, 1e300,        -1e300,       5e-324,
+                           kInfinite,     -kInfinite,    kNone,         -kNone};
 
 /// By bits: 0 is not -0.
 template <typename A>
@@ -36,7 +38,8 @@ float one(__m128 r) { return first<__m128, float>(r); }
 
 std::int32_t whole(double v)  // towards zero
 {
-    return v > -2147483649.0 && v < 2147483648.0 ? static_cast<std::int32_t>(v) : std::numeric_limits<std::int32_t>::min();
+    return v > -2147483649.0 && v < 2147483648.0 ? static_cast<std::int32_t>(v)
+                                                 : std::numeric_limits<std::int32_t>::min();
 }
 
 }  // namespace
