@@ -31,11 +31,17 @@ inline __m128 _mm_cmpnle_ps(__m128 a, __m128 b)
 }
 // and have another last whole number.
 #undef _mm_cvttsd_si32
+#undef _mm_cvttsd_si64
 #undef _mm_cvttpd_epi32
 inline int _mm_cvttsd_si32(__m128d a)
 {
     const double v = simde_mm_cvtsd_f64(a);
     return v > -2147483649.0 && v < 2147483648.0 ? static_cast<int>(v) : -2147483647 - 1;
+}
+inline long long _mm_cvttsd_si64(__m128d a)
+{
+    const double v = simde_mm_cvtsd_f64(a);
+    return v >= -0x1p63 && v < 0x1p63 ? static_cast<long long>(v) : -0x7fffffffffffffff - 1;
 }
 inline __m128i _mm_cvttpd_epi32(__m128d a)
 {

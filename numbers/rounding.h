@@ -28,5 +28,7 @@ inline float rounded_up(double v) { return -rounded_down(-v); }
 
 /// Towards 0; out of range the least integer, as in lanes.
 inline int truncated(double v) { return _mm_cvttsd_si32(_mm_set_sd(v)); }
+/// The same in 64 bits. A plain conversion is another number there on processors of another kind.
+inline long long truncated_far(double v) { return _mm_cvttsd_si64(_mm_set_sd(v)); }
 
 }  // namespace csg

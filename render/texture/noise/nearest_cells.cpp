@@ -4,6 +4,7 @@
 #include "numbers/lanes.h"
 #include "csg/base/types.h"
 #include "numbers/lane_power.h"
+#include "numbers/rounding.h"
 #include "render/texture/noise/nearest_lanes.h"
 #include "render/texture/noise/noise_tables.h"
 
@@ -232,7 +233,7 @@ private:
     static constexpr long long kMask = NoiseTables::kHashSize - 1;
     static long long cell_number(double at, int repeat)
     {
-        const auto number = static_cast<long long>(at);
+        const long long number = csg::truncated_far(at);
         if (repeat == 0) return number;
         const long long left = number % repeat;
         return left < 0 ? left + repeat : left;

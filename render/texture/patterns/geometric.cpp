@@ -1,5 +1,6 @@
 #include "numbers/functions/functions.h"
 #include "numbers/remainder.h"
+#include "numbers/rounding.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/patterns/patterns.h"
@@ -51,7 +52,7 @@ double cells(const glm::dvec3& p)
 {
     const glm::dvec3 cell = glm::floor(p + kTiny);
     return pattern_random(
-        cell_hash(static_cast<long long>(cell.x), static_cast<long long>(cell.y), static_cast<long long>(cell.z)));
+        cell_hash(csg::truncated_far(cell.x), csg::truncated_far(cell.y), csg::truncated_far(cell.z)));
 }
 
 double quilted(const Pattern& pattern, const glm::dvec3& p)

@@ -1,3 +1,4 @@
+#include "numbers/rounding.h"
 #include "render/texture/patterns/patterns.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ long long positive_remainder(long long v, long long by) { return v - by * floor_
 /// The cell with the coordinates (i, j): its flags.
 unsigned cell_flags(const PavementRule& rule, double column, double row)
 {
-    const auto i = static_cast<long long>(column), j = static_cast<long long>(row);
+    const auto i = csg::truncated_far(column), j = csg::truncated_far(row);
     long long index = 0;
     switch (rule.numbering) {
     case Numbering::Rows:
@@ -64,10 +65,7 @@ unsigned cell_flags(const PavementRule& rule, double column, double row)
 
 bool flag(unsigned flags, std::size_t bit) { return flags >> bit & 1u; }
 /// `value` as one of 0, 1, ..., count - 1.
-int choice(double value, int count)
-{
-    return static_cast<int>(positive_remainder(static_cast<long long>(value), count));
-}
+int choice(double value, int count) { return static_cast<int>(positive_remainder(csg::truncated_far(value), count)); }
 
 /// Greatest, summed or straight distance.
 double norm(int kind, double a, double b)
@@ -122,7 +120,7 @@ TriangleCell triangle_cell(double x, double z)
 {
     const double height = kRoot3 / 2.0;
     const double row = std::floor(z / height), up = z - row * height;
-    const double shift = positive_remainder(static_cast<long long>(row), 2) ? 0.5 : 0.0;
+    const double shift = positive_remainder(csg::truncated_far(row), 2) ? 0.5 : 0.0;
     const double corner = std::floor(x - shift), across = x - shift - corner, column = 2.0 * (corner + shift);
     // A downward triangle is the upward one turned about the middle of their common side.
     if (across == 0.0 || up > kRoot3 * across) return {column - 1.0, row, {0.5 - across, height - up}};

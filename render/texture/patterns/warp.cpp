@@ -1,6 +1,7 @@
 #include "numbers/functions/functions.h"
 #include "render/texture/points/angle.h"
 #include "numbers/lanes.h"
+#include "numbers/rounding.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/noise.h"
 #include "render/texture/noise/noise_points.h"
@@ -100,8 +101,8 @@ struct Apply {
             for (int k = 0; k < 3; ++k)
                 if (w.repeat[k] >= kTiny) block[k] = std::floor(p[k] / w.repeat[k]);
             if (w.turbulence != glm::dvec3(0)) {
-                const int seed = cell_hash(static_cast<long long>(block.x), static_cast<long long>(block.y),
-                                           static_cast<long long>(block.z));
+                const int seed =
+                    cell_hash(csg::truncated_far(block.x), csg::truncated_far(block.y), csg::truncated_far(block.z));
                 for (int k = 0; k < 3; ++k) center[k] += pattern_random(seed + k) * w.turbulence[k];
             }
             center += w.repeat * block;
