@@ -2,7 +2,7 @@
 
 #include "numbers/functions/functions.h"
 #include "numbers/remainder.h"
-#include "numbers/remainder_lanes.h"
+#include "numbers/functions/remainder_lanes.h"
 #include "render/texture/image_taps.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/points/point_lanes.h"

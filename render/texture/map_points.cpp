@@ -1,7 +1,7 @@
 #include "render/texture/map_points.h"
 
 #include "numbers/lane_arithmetic.h"
-#include "numbers/remainder_lanes.h"
+#include "numbers/functions/remainder_lanes.h"
 #include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
