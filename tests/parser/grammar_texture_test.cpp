@@ -133,7 +133,8 @@ TEST_CASE("a potential has a blob or an isosurface, and values of any size until
           "1:36: error: 'potential' takes a blob or an isosurface");
     CHECK(error_of("plane { y, 0 pigment { bozo threshold 1 } }") ==
           "1:29: error: expected an item of 'pigment' or '}', found 'threshold'");
-    CHECK(error_of("plane { y, 0 normal { potential { blob { sphere { 0, 1, 2 } } } threshold on 0.3 sine_wave } }").empty());
+    CHECK(error_of("plane { y, 0 normal { potential { blob { sphere { 0, 1, 2 } } } threshold on 0.3 sine_wave } }")
+              .empty());
 }
 
 TEST_CASE("crackle repeats after whole numbers of cells", "[parser][texture]")

@@ -44,8 +44,8 @@ Ovus::Ovus(double bottom, double top) : bottom_(bottom), top_(top), distance_(bo
     }
 }
 
-/// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger. Where the
-/// second sphere is the larger one the middle lies above that sphere's in POV-Ray 3.8, never below (spec 7c, 2).
+/// The arc touches both spheres from outside of them: its middle is as far from theirs as its radius is larger. Where
+/// the second sphere is the larger one the middle lies above that sphere's in POV-Ray 3.8, never below (spec 7c, 2).
 Ovus::Ovus(double bottom, double top, double distance, double arc)
     : bottom_(bottom), top_(top), distance_(distance), arc_(arc), heights_of_38_(true)
 {

@@ -226,18 +226,19 @@ struct warp : item<Kind::Warp, reads<warp_block>> {
 };
 
 using scene::WaveForm;
-using Modifiers = table<
-    ModifierState, member<Kind::Turbulence, &Turbulence::amount>, member<Kind::Octaves, &Turbulence::octaves>,
-    member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>,
-    member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
-    wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
-    wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
-    wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator, parameter<Kind::AgateTurb, Kind::Agate, 0>,
-    brick_size, parameter<Kind::Mortar, Kind::Brick, 0>, parameter<Kind::Control0, Kind::Quilted, 0>,
-    parameter<Kind::Control1, Kind::Quilted, 1>, form, metric, parameter<Kind::Offset, Kind::Crackle, 1>, solid,
-    crackle_repeat, parameter<Kind::Size, Kind::Facets, 0>, parameter<Kind::Coords, Kind::Facets, 1>,
-    exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>, parameter<Kind::NumberOfSides, Kind::Pavement, 0>,
-    parameter<Kind::NumberOfTiles, Kind::Pavement, 1>, parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
+using Modifiers =
+    table<ModifierState, member<Kind::Turbulence, &Turbulence::amount>, member<Kind::Octaves, &Turbulence::octaves>,
+          member<Kind::Omega, &Turbulence::omega>, member<Kind::Lambda, &Turbulence::lambda>,
+          member<Kind::Frequency, &scene::Pattern::frequency>, member<Kind::Phase, &scene::Pattern::phase>,
+          wave_form<Kind::RampWave, WaveForm::Ramp>, wave_form<Kind::SineWave, WaveForm::Sine>,
+          wave_form<Kind::TriangleWave, WaveForm::Triangle>, wave_form<Kind::ScallopWave, WaveForm::Scallop>,
+          wave_form<Kind::CubicWave, WaveForm::Cubic>, poly_wave, noise_generator,
+          parameter<Kind::AgateTurb, Kind::Agate, 0>, brick_size, parameter<Kind::Mortar, Kind::Brick, 0>,
+          parameter<Kind::Control0, Kind::Quilted, 0>, parameter<Kind::Control1, Kind::Quilted, 1>, form, metric,
+          parameter<Kind::Offset, Kind::Crackle, 1>, solid, crackle_repeat, parameter<Kind::Size, Kind::Facets, 0>,
+          parameter<Kind::Coords, Kind::Facets, 1>, exponent, side<Kind::Exterior, 2, 3>, side<Kind::Interior, 4, 4>,
+          parameter<Kind::NumberOfSides, Kind::Pavement, 0>, parameter<Kind::NumberOfTiles, Kind::Pavement, 1>,
+          parameter<Kind::Pattern, Kind::Pavement, 2>, interpolate, warp>;
 
 }  // namespace
 

@@ -180,7 +180,7 @@ TEST_CASE("an egg with the larger sphere on top has POV-Ray 3.8's arc", "[csg][o
 TEST_CASE("coordinates of POV-Ray 3.8's egg go by height", "[csg][ovus]")
 {
     const Ovus egg(0.6, 0.3, 0.6, 1.2);
-    const double told[][2] = {{0.8225, 0.17905}, {0.6725, 0.24488}, {0.2975, 0.50208}, {0.0725, 0.68959},
+    const double told[][2] = {{0.8225, 0.17905},  {0.6725, 0.24488},  {0.2975, 0.50208}, {0.0725, 0.68959},
                               {-0.0775, 0.75137}, {-0.3025, 0.77652}, {-0.4525, 0.82438}};
     for (const auto& [y, v] : told) CHECK(egg.uv({0.2, y, 0.1}, 0).y == Approx(v).margin(2e-5));
 }
