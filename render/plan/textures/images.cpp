@@ -94,8 +94,8 @@ bool keeps_alpha(const scene::ImageSource& source)
     return source.picture->channels % 2 == 0 || ends_with_any(source.path, {".tif", ".tiff"});
 }
 
-/// `filter` and `transmit`: added to texels, written over the palette's (spec 4, 12.3). Since 3.8 texels fade that
-/// have an alpha, the last of both counts, and leaves others alone (spec 7b, 6).
+/// `filter` and `transmit`: added to texels, the last of both; written over the palette's (spec 4, 12.3). Since 3.8
+/// texels fade that have an alpha, the last of both counts, and leaves others alone (spec 7b, 6).
 void apply_transparency(const scene::ImageMap& written, bool fades, texture::Image& out)
 {
     const bool faded = keeps_alpha(written.source);
@@ -106,8 +106,8 @@ void apply_transparency(const scene::ImageMap& written, bool fades, texture::Ima
         if (!clarity.place && out.palette.empty() && fades) {
             if (faded) (clarity.filter ? out.faded_filter : out.faded_transmit) = clarity.amount;
         } else if (!clarity.place && out.palette.empty()) {
-            if (clarity.filter) out.filter += clarity.amount;
-            else out.transmit.push_back(clarity.amount);
+            if (clarity.filter) out.filter = clarity.amount;
+            else out.transmit.assign(1, clarity.amount);
         } else if (!clarity.place) {
             std::for_each(out.palette.begin(), out.palette.end(), set);
         } else if (*clarity.place >= 0 && static_cast<std::size_t>(*clarity.place) < out.palette.size()) {

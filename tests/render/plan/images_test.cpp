@@ -98,6 +98,19 @@ TEST_CASE("levels of pictures are decoded by the version of the scene", "[plan][
     CHECK(first(kHead, "gamma 2.2") == Approx(std::pow(stored, 2.2f)));
 }
 
+TEST_CASE("of several 'filter all' and 'transmit all' the last of each counts", "[plan][image]")
+{
+    const scene::Description scene =
+        parsed("image_map { png \"vrgb.png\" gamma 1 transmit all 0.3 filter all 0.5 transmit all 0.1 filter all 0.2 }",
+               kHead);
+    texture::TextureSet set;
+    std::vector<scene::Unsupported> notes;
+    const scene::Color color = texture::pigment_color(
+        set, plan::TextureCompiler(scene, plan::Quality(), set, notes).pigment(pigment_of(scene)), {0.1, 0.9, 0}, {});
+    CHECK(color.filter == 0.2f);
+    CHECK(color.transmit == 0.1f);
+}
+
 TEST_CASE("a picture that is not there leaves its layer out", "[plan][image]")
 {
     const scene::Description scene = parsed("image_map { png \"vrgb.png\" once }", kHead);
