@@ -123,10 +123,10 @@ TEST_CASE("a finish of 3.8 needs no number, and looks at its mirror when it ends
         const scene::Description d = parsed(version + "sphere { 0, 1 finish { " + written + " } }");
         return std::get<std::vector<scene::Layer>>(d.objects.front().texture->kind).front().finish;
     };
-    CHECK(finish(k38, "fresnel use_alpha emission 0.5").fresnel == 1.0f);
-    CHECK(finish(k38, "fresnel use_alpha emission 0.5").use_alpha);
+    CHECK(finish(k38, "fresnel use_alpha emission 0.5")->fresnel == 1.0f);
+    CHECK(finish(k38, "fresnel use_alpha emission 0.5")->use_alpha);
     const auto head_on = [&](const std::string& version, const std::string& written) {
-        return finish(version, written).reflection.min.x;
+        return finish(version, written)->reflection.min.x;
     };
     CHECK(head_on(k38, "reflection { 0.5 fresnel }") == 0.0f);
     CHECK(head_on(k38, "reflection { 0.5, 0.5 fresnel }") == 0.0f);
