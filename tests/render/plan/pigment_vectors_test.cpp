@@ -88,7 +88,7 @@ TEST_CASE("pigments answer as POV-Ray's do", "[plan][pigment]")
 TEST_CASE("pigments answer as POV-Ray 3.8's do, by themselves and many at a time", "[plan][pigment]")
 {
     const std::vector<Measured> all = measured("pigments38.txt");
-    REQUIRE(all.size() == 54);
+    REQUIRE(all.size() == 68);
     for (const Measured& one : all) {
         const scene::Description scene = parsed("pigment { " + one.statement + " }", "3.8");
         texture::TextureSet set;
