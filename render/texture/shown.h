@@ -22,6 +22,7 @@ struct Enclosing {
     /// it is carried on from where the last one was.
     glm::dvec3 into(const TextureSet& set, const glm::dvec3& n)
     {
+        if (count == 0) return n;
         if (through_ == 0 || n != surface_) {
             surface_ = within_ = n;
             through_ = 0;
@@ -34,7 +35,7 @@ struct Enclosing {
     }
 
 private:
-    glm::dvec3 surface_{0}, within_{0};  ///< a normal, and what it is within so many textures
+    glm::dvec3 surface_, within_;  ///< a normal, and what it is within so many textures: nothing while they are none
     std::size_t through_ = 0;
 };
 

@@ -12,8 +12,7 @@ namespace {
 
 using ObjectPtr = std::shared_ptr<const scene::Object>;
 
-constexpr Kind kOfSurfaces[] = {Kind::Aoi,    Kind::Average, Kind::Pavement,  Kind::Slope,
-                                Kind::Square, Kind::Tiling,  Kind::Triangular};
+constexpr Kind kOfSurfaces[] = {Kind::Aoi, Kind::Average, Kind::Slope, Kind::Square, Kind::Triangular};
 bool of_surfaces(Kind pattern)
 {
     return std::find(std::begin(kOfSurfaces), std::end(kOfSurfaces), pattern) != std::end(kOfSurfaces);
@@ -41,7 +40,9 @@ std::optional<function::SceneReference> SceneBuilder::parse_function_thing(Token
     const scene::SourceRef opened = open_block("pattern");
     scene::Pattern pattern;
     pattern.source = opened;
-    if (of_surfaces(stream.peek().kind)) stream.fail_expected("a pattern that a function can have");
+    const Kind type = stream.peek().kind;
+    const bool newer = type == Kind::Pavement || type == Kind::Tiling;  // in 3.7 patterns of surfaces (spec 7b, 11)
+    if (of_surfaces(type) || (newer && stream.strictly_37())) stream.fail_expected("a pattern that a function can have");
     if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
     close_list(*this, pattern);
     while (read_pattern_modifier(*this, pattern)) {}
