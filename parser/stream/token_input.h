@@ -91,9 +91,11 @@ public:
         const TokenStream& stream_;
         std::uint64_t taken_;
     };
+    /// What stands ahead is looked at first: where that is a macro's call, looking takes the call.
     template <pegtl::rewind_mode M>
     Mark<M> mark() const
     {
+        if constexpr (M == pegtl::rewind_mode::required) stream_.peek();
         return Mark<M>(stream_);
     }
 

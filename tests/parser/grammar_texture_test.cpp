@@ -188,3 +188,16 @@ TEST_CASE("reading a scene gives the same dump twice", "[parser][dump]")
                              "mesh { triangle { 0, x, y } } light_source { 10, 1 }";
     CHECK(scene::dump(parsed(text)) == scene::dump(parsed(text)));
 }
+
+TEST_CASE("a macro's call may begin the block of a reflection", "[parser][texture]")
+{
+    const auto mirror = [](const std::string& within) {
+        const scene::Description d = parsed(
+            "#macro Rough(R) whittle_gloss R, 64 #end #macro Grey(V) rgb V #end plane { y, 0 finish { reflection { " +
+            within + " } } }");
+        return d.objects.front();
+    };
+    CHECK_NOTHROW(mirror("Rough(0.1)"));
+    CHECK_NOTHROW(mirror("Grey(0.3) Rough(0.1)"));
+    CHECK_NOTHROW(mirror("Grey(0.3), Grey(0.5) falloff 2"));
+}

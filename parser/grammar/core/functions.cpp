@@ -42,7 +42,8 @@ std::optional<function::SceneReference> SceneBuilder::parse_function_thing(Token
     pattern.source = opened;
     const Kind type = stream.peek().kind;
     const bool newer = type == Kind::Pavement || type == Kind::Tiling;  // in 3.7 patterns of surfaces (spec 7b, 11)
-    if (of_surfaces(type) || (newer && stream.strictly_37())) stream.fail_expected("a pattern that a function can have");
+    if (of_surfaces(type) || (newer && stream.strictly_37()))
+        stream.fail_expected("a pattern that a function can have");
     if (!read_pattern_type(*this, pattern)) stream.fail_expected("a pattern");
     close_list(*this, pattern);
     while (read_pattern_modifier(*this, pattern)) {}
