@@ -129,8 +129,7 @@ def cancelled(program, folder):
     missing = job.script("join")
     if missing.returncode not in (0, 75):
         raise RuntimeError(f"join says {missing.returncode}: {missing.stderr}")
-    # Before the first part is there nothing tells how many are missing: each name that was asked for is told.
-    if missing.returncode == 75 and not any(words in missing.stderr for words in ("missing", "No such file")):
+    if missing.returncode == 75 and "missing" not in missing.stderr:
         raise RuntimeError("join does not say what is missing: " + missing.stderr)
     print(f"    ended {seconds[0]:.2f} s after scancel" if seconds else "    it was done before")
     until_done(job, submit(job))

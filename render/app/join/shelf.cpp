@@ -52,7 +52,8 @@ void Shelf::open(const std::vector<std::string>& paths)
         const BlockReader file(path);
         if (!file.there()) {
             const int why = errno;
-            faults_.push_back({fmt::format("{}: {}", path, std::strerror(why)), why != EACCES && why != EISDIR});
+            const char* const what = why == ENOENT ? "this part is missing" : std::strerror(why);
+            faults_.push_back({fmt::format("{}: {}", path, what), why != EACCES && why != EISDIR});
         } else if (file.strange()) {
             faults_.push_back({path + ": it is no part of a picture", false});
         } else if (!file.of()) {

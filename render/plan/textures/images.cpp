@@ -21,11 +21,6 @@ bool ends_with_any(const std::string& path, std::initializer_list<const char*> e
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return lower.ends_with(ending); });
 }
 
-TransferCurve working_curve(const scene::Description& scene)
-{
-    return scene.global.assumed_gamma ? scene.global.assumed_gamma->curve() : TransferCurve::linear();
-}
-
 /// What the file says of itself; nothing if it is silent.
 std::optional<TransferCurve> tagged(const image::Picture& picture)
 {
@@ -132,6 +127,11 @@ void take_settings(const scene::ImageMap& written, texture::Image& out)
 }
 
 }  // namespace
+
+TransferCurve working_curve(const scene::Description& scene)
+{
+    return scene.global.assumed_gamma ? scene.global.assumed_gamma->curve() : TransferCurve::linear();
+}
 
 texture::Image compile_image(const scene::Description& scene, const scene::ImageMap& written, bool colors)
 {

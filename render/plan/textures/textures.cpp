@@ -47,7 +47,7 @@ TextureCompiler::TextureCompiler(const scene::Description& scene, const Quality&
     const scene::GlobalSettings& global = scene.global;
     out_.noise_generator = global.noise_generator;
     out_.irid_wavelength = global.irid_wavelength;
-    if (global.assumed_gamma) out_.working = global.assumed_gamma->curve();
+    out_.working = working_curve(scene);
     out_.legacy_opacity = scene.effective_version < kLegacyVersion;
     const auto waves = static_cast<std::size_t>(std::max(1, global.number_of_waves));
     out_.wave_sources.resize(waves);

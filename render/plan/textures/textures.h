@@ -12,6 +12,9 @@
 
 namespace plan {
 
+/// The curve that the scene's colours are levels of: of light where it gives none.
+image::TransferCurve working_curve(const scene::Description& scene);
+
 /// A texture of the text and where it stands. Few textures differ from each other by more than that, and a copy of the
 /// text for each takes more room than what is made of it.
 struct PlacedTexture {

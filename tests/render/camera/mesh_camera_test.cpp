@@ -122,3 +122,35 @@ TEST_CASE("a mesh camera of POV-Ray 3.8 shows each row of faces once", "[camera]
     REQUIRE(trace::mesh_camera_ray(*by_uv, 0, 3, 8, 4, 0, ray));  // the middle of the pixel: s = t = 1/16, 1/8
     CHECK(glm::length(ray.origin - glm::dvec3(0.125, 0.125, 0)) < 1e-12);
 }
+
+TEST_CASE("places of one mesh have the rays of as many meshes", "[camera][mesh]")
+{
+    const auto placed = [](const scene::MeshCamera::Member& of, const csg::Transform& by) {
+        scene::Object object = *of.object;
+        object.transform.edit() = by;
+        return scene::MeshCamera::Member{std::make_shared<const scene::Object>(object), of.keyword};
+    };
+    const csg::Transform here = csg::Transform::rotate_degrees({0, 20, 0}),
+                         there = csg::Transform::translate({3, 10, -1});
+    const scene::MeshCamera::Member row = row_of(6, 0.0);
+    for (const int method : {0, 1, 2}) {
+        INFO("method " << method);
+        const auto shared = camera_of(2, method, {placed(row, here), placed(row, there)}, 0.5);
+        const auto apart = camera_of(2, method, {placed(row, here), placed(row_of(6, 0.0), there)}, 0.5);
+        CHECK(shared->faces.size() == 6);
+        CHECK(apart->faces.size() == 12);
+        int seen = 0;
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 6; ++x)
+                for (int k = 0; k < 2; ++k) {
+                    csg::Ray a{}, b{};
+                    const bool found = trace::mesh_camera_ray(*shared, x, y, 6, 3, k, a);
+                    REQUIRE(found == trace::mesh_camera_ray(*apart, x, y, 6, 3, k, b));
+                    if (!found) continue;
+                    ++seen;
+                    CHECK(a.origin == b.origin);
+                    CHECK(a.direction == b.direction);
+                }
+        CHECK(seen >= 12);
+    }
+}
