@@ -45,9 +45,14 @@ def plans(program, folder):
             frames += range(int(first), int(last or first) + 1)
         want(task["cores"] == 1 and task["mib"] > 1 and task["seconds"] > 0, f"numbers of {task}")
     want(frames == list(range(1, 13)), f"each frame once: {frames}")
-    want(len(plan["tasks"]) <= 5, "at most five tasks")
+    want(len(plan["tasks"]) == 5, "as many tasks as were asked for")
     want(abs(sum(t["seconds"] for t in plan["tasks"]) + plan["join"]["seconds"] - plan["sum_seconds"]) < 1e-6, "the sum")
     want(plan["critical_path_seconds"] < plan["sum_seconds"], "the critical path")
+    # One frame that takes nearly all leaves the others their tasks.
+    uneven = jobs.Job(program, folder / "uneven", still=False, size=(64, 48))
+    uneven.write(jobs.ANIMATION.replace("5, 5 }", "#if (clock = 1) 65, 65 #else 1, 1 #end }"))
+    told = subprocess.run([program, "plan", *uneven.words, "--tasks=12", "--json"], cwd=uneven.folder, capture_output=True, text=True, check=True)
+    want(len(json.loads(told.stdout)["tasks"]) == 12, "twelve frames are twelve tasks, however uneven")
     # By what finished tasks took.
     done = job.folder / "done"
     done.mkdir()
@@ -95,7 +100,6 @@ def hosts(program, folder):
     bin.mkdir()
     notes = job.folder / "asked"
     notes.mkdir()
-    # A note each: lines that three processes append to one file can fall on each other.
     (bin / "ssh").write_text(
         f'#!/bin/bash\n[[ $1 == -o ]] && shift 2\necho "$1" >"$(mktemp "{notes}/XXXXXX")"\n[[ $1 != away ]] || exit 255\nexec bash -c "$2"\n')
     (bin / "ssh").chmod(0o755)

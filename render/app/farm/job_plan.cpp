@@ -22,7 +22,7 @@ void cut_frames(const FarmJob& job, const JobEstimate& estimate, JobPlan& plan)
     for (const FrameCost& frame : estimate.frames) whole += frame.seconds();
     // A task ends where its share of the seconds does.
     const std::size_t count = estimate.frames.size();
-    const auto tasks = static_cast<std::size_t>(job.tasks);
+    const std::size_t tasks = std::min(count, static_cast<std::size_t>(job.tasks));
     double so_far = 0.0;
     std::vector<int> numbers;
     FarmTask task;
@@ -34,9 +34,10 @@ void cut_frames(const FarmJob& job, const JobEstimate& estimate, JobPlan& plan)
         task.memory = std::max(task.memory, frame.memory);
         const std::size_t made = plan.tasks.size() + 1, left = count - i - 1;
         const double due = whole * static_cast<double>(made) / static_cast<double>(tasks);
-        // Ends before the due place if the next frame would go farther beyond it.
+        // Ends before the due place if the next frame would go farther beyond it, and where the tasks to come need all
+        // frames that are left: seconds are measured, but the number of tasks is what was asked for.
         const double next = left > 0 ? 0.5 * estimate.frames[i + 1].seconds() : 0.0;
-        if (left > 0 && so_far + next < due) continue;
+        if (left > 0 && left + made > tasks && so_far + next < due) continue;
         task.what = frames_text(numbers);
         plan.tasks.push_back(task);
         task = {};
