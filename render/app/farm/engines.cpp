@@ -23,9 +23,10 @@ std::string script_head(const FarmFolder& folder, const std::string& what)
                        shell_word(std::filesystem::current_path().string()));
 }
 
-std::string renderer_words(const FarmJob& job)
+std::string renderer_words(const FarmJob& job, bool all_threads = false)
 {
-    std::string text = fmt::format("\"$whittle\" +WT{}", job.cores);
+    std::string text = "\"$whittle\"";
+    if (!all_threads) text += fmt::format(" +WT{}", job.cores);
     for (const std::string& word : job.words) text += ' ' + shell_word(word);
     return text;
 }
@@ -43,8 +44,10 @@ std::string task_script(const FarmJob& job, const JobPlan& plan, const FarmFolde
 
 std::string prepare_script(const FarmJob& job, const FarmFolder& folder)
 {
+    // Under make and in the shell nothing else of the job runs on the host meanwhile: all its threads.
+    const bool alone = folder.engine == Engine::Make || folder.engine == Engine::Shell;
     return script_head(folder, "Photons and radiosity, once for all tasks") +
-           fmt::format("exec {} --make-folders --prepare \"$@\"\n", renderer_words(job));
+           fmt::format("exec {} --make-folders --prepare \"$@\"\n", renderer_words(job, alone));
 }
 
 /// Names of what the tasks leave, in order.

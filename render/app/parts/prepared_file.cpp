@@ -4,10 +4,10 @@
 #include "render/image/picture_writer.h"
 #include "render/image/pixels/passing_failure.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 namespace app {
 
@@ -28,7 +28,9 @@ std::optional<trace::Prepared> read_prepared(const std::string& path, const std:
     other = false;
     std::ifstream in(path, std::ios::binary);
     if (!in) return std::nullopt;
-    std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    in.seekg(0, std::ios::end);
+    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0)), '\0');
+    in.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     const std::string begin = kPreparedMagic + fingerprint;
     other = true;
     if (!bytes.starts_with(begin) || bytes.size() < begin.size() + sizeof(std::uint64_t)) return std::nullopt;
