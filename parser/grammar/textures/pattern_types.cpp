@@ -15,16 +15,21 @@ struct PatternState : BlockState {
     scene::Pattern& pattern;
 };
 
-/// A new type keeps what the block had: warps, frequency, wave form.
+/// A new type keeps what the block had: warps, frequency, wave form. In POV-Ray 3.8 it begins anew (spec 7b, 12).
 void set_type(PatternState& s, std::string_view name)
 {
-    s.pattern.name = name;
-    s.pattern.vector = glm::dvec3(0);
-    s.pattern.numbers.clear();
-    s.pattern.pigment.reset();
-    s.pattern.function.reset();
-    s.pattern.data = std::monostate{};
-    s.pattern.source = s.stream().last();
+    scene::Pattern fresh;
+    if (s.stream().povray() != scene::PovRay::V38) {
+        fresh = std::move(s.pattern);
+        fresh.vector = glm::dvec3(0);
+        fresh.numbers.clear();
+        fresh.pigment.reset();
+        fresh.function.reset();
+        fresh.data = std::monostate{};
+    }
+    fresh.name = name;
+    fresh.source = s.stream().last();
+    s.pattern = std::move(fresh);
 }
 
 /// Patterns without parameters, by their own names. Cells of one value each have no frequency unless it is written

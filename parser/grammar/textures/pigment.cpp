@@ -87,6 +87,7 @@ struct PigmentState : BlockState {
         set_plain({});
         colors.clear();
         pigments.clear();
+        if (stream().povray() == scene::PovRay::V38) pattern = {};  // spec 7b, 12
         pattern.name = spelling(keyword);
         pattern.source = stream().last();
         mapless = true;

@@ -163,3 +163,23 @@ TEST_CASE("a picture follows the #version of the place that names it", "[parser]
     CHECK(version("#version 3.5;", "#version 3.7;") == 350);
     CHECK(version("", "") == 362);
 }
+
+TEST_CASE("a pattern after another begins anew in 3.8 and keeps its place before", "[parser][3.8]")
+{
+    const char* const written[] = {"#default { pigment { granite scale 0.3 turbulence 0.5 frequency 3 noise_generator "
+                                   "1 } }\nsphere { 0, 1 pigment { bozo } }",
+                                   "#declare P = pigment { rgb 1 scale 0.3 turbulence 0.5 frequency 3 noise_generator "
+                                   "1 }\nsphere { 0, 1 pigment { P bozo } }"};
+    for (const char* text : written)
+        for (const bool newer : {false, true}) {
+            INFO(text << " " << newer);
+            const scene::Description d = parsed((newer ? k38 : k37) + text);
+            const auto& pigment = std::get<std::vector<scene::Layer>>(d.objects.front().texture->kind).front().pigment;
+            const scene::Pattern& pattern = std::get<scene::Shared<scene::PatternedPigment>>(pigment.kind)->pattern;
+            CHECK(pattern.name == "bozo");
+            CHECK(pattern.warps.empty() == newer);
+            CHECK(pattern.turbulence.has_value() != newer);
+            CHECK(pattern.frequency == (newer ? 1 : 3));
+            CHECK(pattern.noise_generator == (newer ? 0 : 1));
+        }
+}
