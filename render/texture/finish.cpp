@@ -95,7 +95,7 @@ namespace {
 /// What mirroring is left of where opacity dims it.
 glm::vec3 dimmed(const Finish& finish, const scene::Color& pigment, const glm::vec3& reflectivity)
 {
-    return finish.use_alpha ? reflectivity * opacity(pigment, false) : reflectivity;
+    return finish.use_alpha ? reflectivity * opacity(pigment, finish.legacy_opacity) : reflectivity;
 }
 
 /// Schlick, "An inexpensive BRDF model for physically-based rendering" (1994): no critical angle, no polarisation.

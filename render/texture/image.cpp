@@ -150,22 +150,36 @@ scene::Color color_at(const Image& image, const glm::dvec2& place, Texels&& texe
             static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
-/// The same by what the image_map shows: POV-Ray divides what it has interpolated, and `transmit all` counts
-/// (measured).
+float alpha_of(const scene::Color& c) { return 1.0f - c.transmit; }
+
+/// A premultiplied colour as it is by itself.
+scene::Color straight(scene::Color c, float alpha)
+{
+    if (alpha == 0.0f) return c;
+    c.red /= alpha;
+    c.green /= alpha;
+    c.blue /= alpha;
+    return c;
+}
+
+/// The same by what the image_map shows: POV-Ray divides what it has interpolated, where `transmit all` counts already
+/// (measured), but each texel for what 3.8 lets fade (spec 7b, 6).
 template <class Texels>
 scene::Color shown_at(const Image& image, const glm::dvec2& place, Texels&& texel_of)
 {
-    scene::Color c = color_at(image, place, texel_of);
-    if (const float alpha = 1.0f - c.transmit; image.premultiplied && alpha != 0.0f) {
-        c.red /= alpha;
-        c.green /= alpha;
-        c.blue /= alpha;
+    const bool fades = image.faded_filter != 0.0f || image.faded_transmit != 0.0f;
+    if (!fades) {
+        const scene::Color c = color_at(image, place, texel_of);
+        return image.premultiplied ? straight(c, alpha_of(c)) : c;
     }
-    if (image.faded_filter != 0.0f || image.faded_transmit != 0.0f) {
-        const float alpha = 1.0f - c.transmit;
-        c.filter = image.faded_filter * alpha;
-        c.transmit += image.faded_transmit * alpha;
-    }
+    constexpr float kLeast = 1e-6f;  // alpha that POV-Ray divides a texel by
+    scene::Color c = color_at(image, place, [&](std::size_t texel) {
+        const scene::Color own = texel_of(texel);
+        return image.premultiplied ? straight(own, std::max(alpha_of(own), kLeast)) : own;
+    });
+    const float alpha = alpha_of(c);
+    c.filter = image.faded_filter * alpha;
+    c.transmit += image.faded_transmit * alpha;
     return c;
 }
 

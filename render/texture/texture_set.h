@@ -66,6 +66,7 @@ struct Finish {
     bool own_light = false;           ///< something of it is not shaded in lanes: an extension, or the next two
     bool tint_by_half = false;        ///< metal tints `specular` by the halfway vector's angle (spec 7d, 7)
     bool use_alpha = false;           ///< opacity dims highlights and mirroring
+    bool legacy_opacity = false;      ///< of use_alpha: as in the set
     float own_fresnel = 0;            ///< share of Fresnel's law in its own light and highlights
     std::uint32_t extension = kNone;  ///< index into TextureSet::extensions
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;

@@ -10,7 +10,7 @@ plane { z, 2 pigment { checker rgb <0.9, 0.9, 0.6> rgb <0.2, 0.3, 0.6> scale 0.2
 #end
 Tile(<-1.9, 0.2, 0>, pigment { image_map { png "../pigment/leaf.png" } })
 Tile(<-0.9, 0.2, 0>, pigment { image_map { png "../pigment/leaf.png" transmit all 0.4 } })
-Tile(<0.1, 0.2, 0>, pigment { image_map { png "../pigment/leaf.png" filter all 0.6 } })
+Tile(<0.1, 0.2, 0>, pigment { image_map { png "../pigment/leaf.png" premultiplied on interpolate 2 filter all 0.6 } })
 Tile(<1.1, 0.2, 0>, pigment { image_map { png "../pigment/leaf.png" filter all 0.6 transmit all 0.3 interpolate 2 } })
 Tile(<-1.9, -1.1, 0>, pigment { image_map { png "../pigment/weave.png" transmit all 0.4 } })
 Tile(<-0.9, -1.1, 0>, pigment { image_map { png "../pigment/weave.png" filter all 0.5 } })

@@ -41,6 +41,7 @@ std::uint32_t TextureCompiler::finish(const scene::Shared<scene::Finish>& descri
     to.conserve_energy = from.conserve_energy;
     to.own_fresnel = from.fresnel;
     to.use_alpha = from.use_alpha;
+    to.legacy_opacity = out_.legacy_opacity;
     to.irid = from.irid;
     to.irid_thickness = from.irid_thickness;
     to.irid_turbulence = from.irid_turbulence;

@@ -1,5 +1,7 @@
 """Looks as POV-Ray 3.8 makes them: colours by functions, potentials, repeated cells, pictures by its rules, finishes of its own, and
 the patterns, maps and layers that there were, with these among them."""
+import re
+
 from rng import block, lines
 from scenes import coats, textures
 from words import common, patterns
@@ -14,7 +16,16 @@ def scene(r):
     parts += [block("plane", "y, -1.037", r.made(lambda: pigment(r), lambda: common.pigment(r)))]
     parts += [thing(r) for _ in range(r.whole(1, 3))]
     parts += [r.some(.15, version_between(r))]
-    return lines(*parts)
+    return with_one_repeat(lines(*parts))
+
+
+CRACKLE = re.compile(r"\bcrackle( -?[\d.]+)?( repeat (?:<[^<>]*>|[\d.]+))?")
+
+
+def with_one_repeat(text):
+    """Crackles of different `repeat` in one scene disturb each other in POV-Ray, by the order of its pixels (spec 7b, 4)."""
+    first = next((found[2] for found in CRACKLE.finditer(text) if found[2]), "")
+    return CRACKLE.sub(lambda found: f"crackle{found[1] or ''}{first}", text)
 
 
 def version_between(r):
