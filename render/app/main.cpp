@@ -44,9 +44,9 @@ bool is_tool(const Words& arguments)
     Words copy = arguments;
     for (std::string& word : copy) words.push_back(word.data());
     words.push_back(nullptr);
-    std::error_code unknown;  // what the tools have to start is this program, wherever the shell found it
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    if (!unknown) setenv("WHITTLE_PROGRAM", own.c_str(), 1);
+    const std::filesystem::path own =
+        image::program_file();  // what the tools have to start, wherever the shell found it
+    if (!own.empty()) setenv("WHITTLE_PROGRAM", own.c_str(), 1);
     execv(program->c_str(), words.data());
     throw app::OptionError(fmt::format("cannot start '{}': {}", program->string(), std::strerror(errno)));
 }

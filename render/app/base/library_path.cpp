@@ -1,10 +1,27 @@
 #include "render/app/base/library_path.h"
 
+#include "render/image/codecs/module_path.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 namespace app {
+namespace {
+
+using namespace std::string_literals;
+
+/// `share` of the prefix that the program is installed or unpacked below, in `bin` or somewhere in `lib`: what stands
+/// there came with it, so it is looked at first.
+std::string own_share()
+{
+    for (std::filesystem::path folder = image::program_file().parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+        if (folder.filename() == "bin" || folder.filename() == "lib") return (folder.parent_path() / "share").string();
+    return "/usr/share";
+}
+
+}  // namespace
 
 std::vector<std::string> default_library_path()
 {
@@ -15,7 +32,7 @@ std::vector<std::string> default_library_path()
             if (!folder.empty()) folders.push_back(folder);
         return folders;
     }
-    for (const char* root : {"/usr/share", "/usr/local/share"}) {
+    for (const std::string& root : {own_share(), "/usr/share"s, "/usr/local/share"s}) {
         for (const char* name : {"povray-3.7", "povray"}) {
             const std::filesystem::path base = std::filesystem::path(root) / name;
             std::error_code ignored;

@@ -6,14 +6,15 @@
 #include <sys/auxv.h>
 
 #include <array>
+#include <cstdlib>
 
 namespace image {
 namespace {
 
 using Folders = std::array<std::filesystem::path, 2>;
 
-/// The program's file. Without /proc (a bare chroot) what the system was told to start, links followed.
-std::filesystem::path program_file()
+/// What the system was told to start: without /proc (a bare chroot) from the start's own notes.
+std::filesystem::path started_file()
 {
     std::error_code failed;
     std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
@@ -30,6 +31,15 @@ Folders module_folders()
 }
 
 }  // namespace
+
+std::filesystem::path program_file()
+{
+    std::filesystem::path started = started_file();
+    const char* const launcher = std::getenv("WHITTLE_LAUNCHER");
+    // Programs that a launched one starts inherit the variable: it speaks of those alone that a loader runs.
+    const bool by_loader = launcher != nullptr && started.filename().string().starts_with("ld-");
+    return by_loader ? std::filesystem::path(launcher) : started;
+}
 
 std::optional<std::filesystem::path> find_module(const std::string& name)
 {

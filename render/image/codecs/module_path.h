@@ -6,6 +6,11 @@
 
 namespace image {
 
+/// The program's own file, links followed. Where a portable archive's launcher has its own C library's loader run the
+/// program
+/// (`packaging/launcher.sh`), the launcher: that is what can be started again, and what the modules stand beside.
+std::filesystem::path program_file();
+
 /// Modules that the program opens at run time stand beside the program's own file, whatever link it was called by (so a
 /// build leaves them), or in the folder where `cmake --install` puts them, `lib/whittle` beside `bin`.
 std::optional<std::filesystem::path> find_module(const std::string& name);
