@@ -12,24 +12,35 @@ namespace model {
 
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Triangles with what their file says of their corners, as it is written there: no axis is turned, no unit converted.
+/// Triangles with what their file says of their corners. A reader says which axes it turns (docs/tools/meshes.md).
 struct Model {
     struct Face {
         std::array<std::uint32_t, 3> vertex;
         std::array<std::uint32_t, 3> normal{kNone, kNone, kNone};  ///< all of them or none
         std::array<std::uint32_t, 3> uv{kNone, kNone, kNone};      ///< the like
+        std::array<std::uint32_t, 3> color{kNone, kNone, kNone};   ///< the like
         std::uint32_t material = kNone;                            ///< index into materials
     };
     std::vector<glm::dvec3> vertices, normals;
     std::vector<glm::dvec2> uvs;
+    std::vector<glm::vec3> colors;  ///< of corners, sRGB, 0 to 1
     std::vector<Face> faces;
     std::vector<std::string> materials;  ///< names, each once, in the order of their first use
 };
 
-/// What is wrong with a file, and where: `line` counts from 1; 0: nowhere in it.
+/// What is wrong with a file, and where: a text's `line` counts from 1, another file's `byte` from 0. 0 and kNowhere:
+/// the file as a whole.
 struct ModelError : std::runtime_error {
+    static constexpr std::size_t kNowhere = ~std::size_t{0};
+
     ModelError(const std::string& what, std::size_t at) : std::runtime_error(what), line(at) {}
-    std::size_t line;
+    static ModelError at_byte(const std::string& what, std::size_t at)
+    {
+        ModelError error(what, 0);
+        error.byte = at;
+        return error;
+    }
+    std::size_t line, byte = kNowhere;
 };
 
 }  // namespace model

@@ -1,13 +1,11 @@
 #include "render/model/obj_reader.h"
 
+#include "render/model/file_bytes.h"
 #include "render/model/polygon_triangles.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <unordered_map>
 
 namespace model {
@@ -193,26 +191,10 @@ private:
     std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-std::string text_of_file(const std::string& path)
-{
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) throw ModelError(std::strerror(errno), 0);
-    std::string text;
-    constexpr std::size_t kPiece = std::size_t{1} << 20;
-    for (std::size_t got = kPiece; got == kPiece;) {
-        const std::size_t before = text.size();
-        text.resize(before + kPiece);
-        got = std::fread(text.data() + before, 1, kPiece, file.get());
-        text.resize(before + got);
-    }
-    if (std::ferror(file.get()) != 0) throw ModelError("it cannot be read", 0);
-    return text;
-}
-
 }  // namespace
 
 Model obj_of(std::string_view text) { return ObjText(text).read(); }
 
-Model read_obj(const std::string& path) { return obj_of(text_of_file(path)); }
+Model read_obj(const std::string& path) { return obj_of(bytes_of_file(path)); }
 
 }  // namespace model

@@ -26,6 +26,7 @@ inline bool at_vector(TokenStream& in)
 struct MeshState : BlockState {
     using BlockState::BlockState;
     std::shared_ptr<scene::MeshData> data = std::make_shared<scene::MeshData>();
+    bool of_file = false;  ///< some of its triangles are
     std::uint32_t add_texture(scene::TexturePtr t)
     {
         data->textures.push_back(std::move(t));
@@ -57,9 +58,11 @@ struct MeshState : BlockState {
     }
 };
 
-/// Behind `obj`: the file's name and what its materials are; adds its triangles (model_meshes.cpp).
-void read_obj_mesh(MeshState& s);
-Form obj_mesh_form();
+/// Behind `obj` and `file`: the file's name and what its materials are; adds its triangles (model_meshes.cpp).
+void read_model_mesh(MeshState& s, Kind word);
+Form model_mesh_form();
+/// A mesh with triangles of a file is a solid by itself where they are closed and all look the same way.
+void settle_inside(MeshState& s);
 
 struct Indices {
     std::array<std::uint32_t, 3> at;

@@ -1,11 +1,13 @@
+#include "csg/mesh/mesh_edges.h"
 #include "parser/grammar/objects/mesh_lists.h"
 #include "render/model/obj_reader.h"
+#include "render/model/read_model.h"
 
 #include <fmt/format.h>
 
 #include <unordered_map>
 
-/// Meshes whose triangles are a file's (POV-Ray 3.8: mesh { obj ... }).
+/// Meshes whose triangles are a file's: POV-Ray 3.8's mesh { obj ... }, and mesh { file ... } (docs/tools/meshes.md).
 namespace parser {
 namespace {
 
@@ -41,11 +43,14 @@ MaterialList read_materials(MeshState& s)
     return list;
 }
 
-model::Model read_file(TokenStream& in, const scene::SourceRef& at, const std::string& name, const std::string& path)
+model::Model read_file(TokenStream& in, Kind word, const scene::SourceRef& at, const std::string& name,
+                       const std::string& path)
 {
     try {
-        return model::read_obj(path);
+        return word == Kind::Obj ? model::read_obj(path) : model::read_model(path);
     } catch (const model::ModelError& error) {
+        if (error.byte != model::ModelError::kNowhere)
+            in.fail(at, fmt::format("{}: byte {}: {}", path, error.byte, error.what()));
         if (error.line > 0) in.fail(at, fmt::format("{}:{}: {}", path, error.line, error.what()));
         in.fail(at, fmt::format("the file '{}' is no mesh: {}", name, error.what()));
     }
@@ -84,7 +89,7 @@ std::array<std::uint32_t, 3> counted_from(std::array<std::uint32_t, 3> of, std::
 
 }  // namespace
 
-Form obj_mesh_form()
+Form model_mesh_form()
 {
     const Form entry = Form::choice(
         {form_of<seq<token<Kind::Prefix>, a_text>>(), form_of<seq<token<Kind::Suffix>, a_text>>(),
@@ -92,20 +97,21 @@ Form obj_mesh_form()
                          Form::choice({Form::operand("identifier"),
                                        Form::sequence({Form::token(Kind::Texture), Form::named(texture_block)})})})});
     return Form::sequence(
-        {form_of<seq<token<Kind::Obj>, a_text>>(),
+        {form_of<seq<pegtl::sor<token<Kind::Obj>, token<Kind::File>>, a_text>>(),
          Form::optional(Form::sequence({Form::token(Kind::TextureList), Form::braces({Form::repeated(entry)})}))});
 }
 
-void read_obj_mesh(MeshState& s)
+void read_model_mesh(MeshState& s, Kind word)
 {
     TokenStream& in = s.stream();
     const scene::SourceRef at = in.here();
     const std::string name = parser::path_expr(in);
-    const std::string path = in.find_file(name, {".obj", ".OBJ"});
+    const std::string path =
+        in.find_file(name, word == Kind::Obj ? std::vector<std::string>{".obj", ".OBJ"} : std::vector<std::string>{});
     if (path.empty()) in.fail(at, fmt::format("cannot find the mesh file '{}'", name));
     in.data_files().push_back(path);
     const MaterialList list = in.accept(Kind::TextureList) ? read_materials(s) : MaterialList{};
-    model::Model model = read_file(in, at, name, path);
+    model::Model model = read_file(in, word, at, name, path);
     const std::vector<std::uint32_t> textures = textures_of(s, at, model, list);
 
     scene::MeshData& mesh = *s.data;
@@ -124,6 +130,20 @@ void read_obj_mesh(MeshState& s)
         if (face.material != model::kNone) made.texture.fill(textures[face.material]);
         mesh.faces.push_back(made);
     }
+    s.of_file = true;
+}
+
+void settle_inside(MeshState& s)
+{
+    scene::MeshData& mesh = *s.data;
+    if (mesh.has_inside_vector) return;
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    faces.reserve(mesh.faces.size());
+    for (const scene::MeshData::Face& face : mesh.faces) faces.push_back(face.vertex);
+    const csg::MeshEdges edges = csg::edges_of(mesh.vertices, faces);
+    if (!edges.open.empty() || !edges.oriented) return;
+    mesh.has_inside_vector = true;
+    mesh.inside_vector = csg::kAnyInsideVector;
 }
 
 }  // namespace parser
