@@ -1,7 +1,7 @@
 #include "render/model/obj_reader.h"
 
-#include "render/model/file_bytes.h"
-#include "render/model/polygon_triangles.h"
+#include "render/model/base/file_bytes.h"
+#include "render/model/base/polygon_triangles.h"
 
 #include <algorithm>
 #include <charconv>
@@ -100,6 +100,7 @@ private:
         else if (word == "vn") model_.normals.push_back(numbers<3>(words, "a normal", 3));
         else if (word == "vt") model_.uvs.push_back(numbers<2>(words, "a texture coordinate", 1));
         else if (word == "usemtl") material(words.rest());
+        else if (word == "mtllib") model_.libraries.emplace_back(words.rest());
     }
 
     /// `least`: so many must be there, others are 0.
@@ -176,7 +177,7 @@ private:
         if (name.empty()) fail("usemtl without a name");
         const auto [known, fresh] =
             known_.try_emplace(std::string(name), static_cast<std::uint32_t>(model_.materials.size()));
-        if (fresh) model_.materials.emplace_back(name);
+        if (fresh) model_.materials.emplace_back().name = name;
         material_ = known->second;
     }
 

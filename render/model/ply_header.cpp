@@ -1,6 +1,6 @@
 #include "render/model/ply_header.h"
 
-#include "render/model/text_words.h"
+#include "render/model/base/text_words.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 #include "render/model/ply_reader.h"
 
 #include "render/model/ply_header.h"
-#include "render/model/polygon_triangles.h"
-#include "render/model/text_words.h"
+#include "render/model/base/polygon_triangles.h"
+#include "render/model/base/text_words.h"
 
 #include <algorithm>
 #include <bit>

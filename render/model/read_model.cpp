@@ -1,9 +1,11 @@
 #include "render/model/read_model.h"
 
-#include "render/model/file_bytes.h"
+#include "render/model/base/file_bytes.h"
+#include "render/model/glb_reader.h"
 #include "render/model/obj_reader.h"
 #include "render/model/ply_reader.h"
 #include "render/model/stl_reader.h"
+#include "render/model/three_mf_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -33,12 +35,17 @@ bool is_stl_text(std::string_view bytes)
 
 Model model_of(std::string_view bytes, std::string_view name)
 {
+    if (is_glb(bytes)) return glb_of(bytes);
+    if (is_zip(bytes)) return three_mf_of(bytes);
     if (is_ply(bytes)) return ply_of(bytes);
     if (is_binary_stl(bytes) || is_stl_text(bytes)) return stl_of(bytes);
     if (ends_in(name, ".stl")) return stl_of(bytes);
     if (ends_in(name, ".obj")) return obj_of(bytes);
     if (ends_in(name, ".ply")) return ply_of(bytes);
-    throw ModelError("neither its bytes nor its name say what kind of file it is: .stl, .ply, .obj", 0);
+    if (ends_in(name, ".gltf"))
+        throw ModelError("glTF is read where all of it is in one file, which is named .glb: most programs write both",
+                         0);
+    throw ModelError("neither its bytes nor its name say what kind of file it is: .stl, .ply, .glb, .3mf, .obj", 0);
 }
 
 Model read_model(const std::string& path) { return model_of(bytes_of_file(path), path); }

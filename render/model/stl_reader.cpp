@@ -1,7 +1,7 @@
 #include "render/model/stl_reader.h"
 
-#include "render/model/text_words.h"
-#include "render/model/vertex_merger.h"
+#include "render/model/base/text_words.h"
+#include "render/model/base/vertex_merger.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,5 @@
 #include "parser/grammar/objects/mesh_lists.h"
+#include "parser/grammar/objects/model_looks.h"
 
 #include <algorithm>
 
@@ -249,7 +250,7 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
         else more = false;
     }
     if (!declared && s.data->faces.empty()) build.stream().fail(source, "this mesh has no triangles");
-    if (s.of_file) settle_inside(s);
+    if (s.of_file) settle_inside(s), settle_look(s, object);
     object = finish_mesh(s, std::move(object), declared);
     build.close_block("mesh", opened);
     return object;

@@ -26,7 +26,8 @@ inline bool at_vector(TokenStream& in)
 struct MeshState : BlockState {
     using BlockState::BlockState;
     std::shared_ptr<scene::MeshData> data = std::make_shared<scene::MeshData>();
-    bool of_file = false;  ///< some of its triangles are
+    bool of_file = false;              ///< some of its triangles are
+    std::vector<std::uint32_t> looks;  ///< textures that files tell, as indices into data->textures
     std::uint32_t add_texture(scene::TexturePtr t)
     {
         data->textures.push_back(std::move(t));

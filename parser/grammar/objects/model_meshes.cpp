@@ -1,5 +1,6 @@
 #include "csg/mesh/mesh_edges.h"
 #include "parser/grammar/objects/mesh_lists.h"
+#include "parser/grammar/objects/model_looks.h"
 #include "render/model/obj_reader.h"
 #include "render/model/read_model.h"
 
@@ -15,6 +16,7 @@ namespace {
 struct MaterialList {
     std::unordered_map<std::string, std::uint32_t> by_name;  ///< indices into the mesh's textures
     bool asked = false;                                      ///< names of declared textures, with prefix and suffix
+    bool bare = true;                                        ///< it has no entry
     std::string prefix, suffix;
 };
 
@@ -24,9 +26,9 @@ MaterialList read_materials(MeshState& s)
     TokenStream& in = s.stream();
     MaterialList list;
     const auto opened = s.build.open_block("texture_list");
-    list.asked = true;
     for (bool more = true; more;) {
         in.accept_comma();
+        list.bare = list.bare && in.peek().kind == Kind::RightBrace;
         if (in.accept(Kind::Prefix)) list.prefix = parser::string_expr(in);
         else if (in.accept(Kind::Suffix)) list.suffix = parser::string_expr(in);
         else if (at_string(in)) {
@@ -61,7 +63,8 @@ std::vector<std::uint32_t> textures_of(MeshState& s, const scene::SourceRef& at,
                                        const MaterialList& list)
 {
     std::vector<std::uint32_t> all;
-    for (const std::string& name : model.materials) {
+    for (const model::Model::Material& material : model.materials) {
+        const std::string& name = material.name;
         std::uint32_t texture = scene::MeshData::kNone;
         const std::string full = list.prefix + name + list.suffix;
         if (const auto known = list.by_name.find(name); known != list.by_name.end()) {
@@ -110,9 +113,13 @@ void read_model_mesh(MeshState& s, Kind word)
         in.find_file(name, word == Kind::Obj ? std::vector<std::string>{".obj", ".OBJ"} : std::vector<std::string>{});
     if (path.empty()) in.fail(at, fmt::format("cannot find the mesh file '{}'", name));
     in.data_files().push_back(path);
-    const MaterialList list = in.accept(Kind::TextureList) ? read_materials(s) : MaterialList{};
+    const bool listed = in.accept(Kind::TextureList);
+    MaterialList list = listed ? read_materials(s) : MaterialList{};
+    list.asked = listed && (word == Kind::Obj || !list.bare);
     model::Model model = read_file(in, word, at, name, path);
-    const std::vector<std::uint32_t> textures = textures_of(s, at, model, list);
+    const bool told = word == Kind::File && !listed;  // `obj` leaves what files say of materials alone, as 3.8 does
+    const std::vector<std::uint32_t> textures = told ? textures_told(s, at, path, model)
+                                                     : textures_of(s, at, model, list);
 
     scene::MeshData& mesh = *s.data;
     const std::size_t vertices = mesh.vertices.size(), normals = mesh.normals.size(), uvs = mesh.uvs.size();
@@ -123,13 +130,15 @@ void read_model_mesh(MeshState& s, Kind word)
     append(mesh.vertices, model.vertices);
     append(mesh.normals, model.normals);
     append(mesh.uvs, model.uvs);
-    mesh.faces.reserve(mesh.faces.size() + model.faces.size());
+    const std::size_t first = mesh.faces.size();
+    mesh.faces.reserve(first + model.faces.size());
     for (const model::Model::Face& face : model.faces) {
         scene::MeshData::Face made{counted_from(face.vertex, vertices), counted_from(face.normal, normals),
                                    counted_from(face.uv, uvs), kNoIndices};
         if (face.material != model::kNone) made.texture.fill(textures[face.material]);
         mesh.faces.push_back(made);
     }
+    if (told) paint_corners(s, at, path, model, first);
     s.of_file = true;
 }
 

@@ -1,6 +1,6 @@
-#include "render/model/vertex_merger.h"
+#include "render/model/base/vertex_merger.h"
 
-#include "render/model/model.h"
+#include "render/model/base/model.h"
 
 #include <array>
 #include <bit>

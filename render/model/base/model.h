@@ -23,9 +23,23 @@ struct Model {
     };
     std::vector<glm::dvec3> vertices, normals;
     std::vector<glm::dvec2> uvs;
-    std::vector<glm::vec3> colors;  ///< of corners, sRGB, 0 to 1
+    std::vector<glm::vec3> colors;  ///< of corners
     std::vector<Face> faces;
-    std::vector<std::string> materials;  ///< names, each once, in the order of their first use
+    /// What faces are made of.
+    struct Material {
+        std::string name;
+        bool told = false;  ///< the file says what it looks like
+        glm::vec3 color{1}, emission{0};
+        float opacity = 1;
+        bool opaque = false;  ///< whatever its picture's alpha says
+        /// Over which `color` is laid: its place among `pictures`, or the path that the file names it by.
+        std::uint32_t picture = kNone;
+        std::string picture_path;
+    };
+    std::vector<Material> materials;     ///< each name once, in the order of their first use
+    std::vector<std::string> libraries;  ///< files that say what materials look like, as the file names them
+    std::vector<std::string> pictures;   ///< files that stand in this one, PNG or JPEG
+    bool linear = false;                 ///< colours are light from 0 to 1; else they are levels of sRGB
 };
 
 /// What is wrong with a file, and where: a text's `line` counts from 1, another file's `byte` from 0. 0 and kNowhere:

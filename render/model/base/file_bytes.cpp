@@ -1,6 +1,6 @@
-#include "render/model/file_bytes.h"
+#include "render/model/base/file_bytes.h"
 
-#include "render/model/model.h"
+#include "render/model/base/model.h"
 
 #include <sys/stat.h>
 

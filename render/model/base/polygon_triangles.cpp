@@ -1,4 +1,4 @@
-#include "render/model/polygon_triangles.h"
+#include "render/model/base/polygon_triangles.h"
 
 #include <algorithm>
 #include <numeric>
