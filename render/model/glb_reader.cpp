@@ -13,7 +13,7 @@
 namespace model {
 namespace {
 
-constexpr std::size_t kHead = 12, kChunkHead = 8;
+constexpr std::size_t kGlbHead = 12, kGlbChunkHead = 8;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at)
 {
@@ -27,21 +27,21 @@ struct Chunks {
     std::string_view json, binary;
     explicit Chunks(std::string_view bytes)
     {
-        if (bytes.size() < kHead + kChunkHead) throw ModelError::at_byte("it ends within its head", bytes.size());
+        if (bytes.size() < kGlbHead + kGlbChunkHead) throw ModelError::at_byte("it ends within its head", bytes.size());
         if (word_at(bytes, 4) != 2)
             throw ModelError::at_byte("it is glTF of version " + std::to_string(word_at(bytes, 4)) + ", not 2", 4);
         if (word_at(bytes, 8) > bytes.size())
             throw ModelError::at_byte(
                 "it ends before the " + std::to_string(word_at(bytes, 8)) + " bytes that it says it has", bytes.size());
-        std::size_t at = kHead;
+        std::size_t at = kGlbHead;
         json = chunk(bytes, at, "JSON");
-        if (bytes.size() - at >= kChunkHead) binary = chunk(bytes, at, std::string_view("BIN\0", 4));
+        if (bytes.size() - at >= kGlbChunkHead) binary = chunk(bytes, at, std::string_view("BIN\0", 4));
     }
 
 private:
     static std::string_view chunk(std::string_view bytes, std::size_t& at, std::string_view kind)
     {
-        const std::size_t length = word_at(bytes, at), begin = at + kChunkHead;
+        const std::size_t length = word_at(bytes, at), begin = at + kGlbChunkHead;
         if (bytes.substr(at + 4, 4) != kind)
             throw ModelError::at_byte("no chunk " + std::string(kind.data()).substr(0, 4) + " stands here", at);
         if (length > bytes.size() - begin)
@@ -96,11 +96,11 @@ public:
             file_ = GltfJson::parse(chunks_.json);
         } catch (const GltfJson::parse_error& error) {
             const std::size_t read = std::min(error.byte, chunks_.json.size());
-            throw ModelError::at_byte("its JSON is broken", kHead + kChunkHead + read - (read > 0 ? 1 : 0));
+            throw ModelError::at_byte("its JSON is broken", kGlbHead + kGlbChunkHead + read - (read > 0 ? 1 : 0));
         } catch (const GltfJson::exception&) {  // as a number that is too large
-            throw ModelError::at_byte("its JSON cannot be read", kHead + kChunkHead);
+            throw ModelError::at_byte("its JSON cannot be read", kGlbHead + kGlbChunkHead);
         }
-        if (!file_.is_object()) throw ModelError::at_byte("its JSON is no object", kHead + kChunkHead);
+        if (!file_.is_object()) throw ModelError::at_byte("its JSON is no object", kGlbHead + kGlbChunkHead);
     }
 
     Model read()

@@ -9,7 +9,7 @@
 namespace model {
 namespace {
 
-enum Component : unsigned { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
+enum ComponentType : unsigned { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 
 std::size_t bytes_of(unsigned type, const std::string& where)
 {

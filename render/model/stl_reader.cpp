@@ -13,12 +13,12 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers of binary STL are read as they lie in memory");
 
-constexpr std::size_t kHead = 84, kTriangle = 50, kNormal = 12;
+constexpr std::size_t kStlHead = 84, kStlTriangle = 50, kStlNormal = 12;
 
 std::size_t told(std::string_view bytes)
 {
     std::uint32_t count = 0;
-    std::memcpy(&count, bytes.data() + kHead - sizeof count, sizeof count);
+    std::memcpy(&count, bytes.data() + kStlHead - sizeof count, sizeof count);
     return count;
 }
 
@@ -42,20 +42,20 @@ Model::Face face_of(std::uint32_t a, std::uint32_t b, std::uint32_t c)
 
 Model binary(std::string_view bytes)
 {
-    if (bytes.size() < kHead)
+    if (bytes.size() < kStlHead)
         throw ModelError::at_byte("it ends before its number of triangles, which stands at byte 80", bytes.size());
-    const std::size_t count = told(bytes), there = (bytes.size() - kHead) / kTriangle;
+    const std::size_t count = told(bytes), there = (bytes.size() - kStlHead) / kStlTriangle;
     if (there < count)
         throw ModelError::at_byte(
             "it ends within triangle " + std::to_string(there + 1) + " of " + std::to_string(count), bytes.size());
-    if (bytes.size() > kHead + count * kTriangle)
+    if (bytes.size() > kStlHead + count * kStlTriangle)
         throw ModelError::at_byte("something stands behind the last of its " + std::to_string(count) + " triangles",
-                                  kHead + count * kTriangle);
+                                  kStlHead + count * kStlTriangle);
     VertexMerger merger(count / 2 + 2);  // as closed meshes have
     std::vector<Model::Face> faces;
     faces.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = kHead + i * kTriangle + kNormal;
+        const std::size_t at = kStlHead + i * kStlTriangle + kStlNormal;
         glm::vec3 corner[3];
         std::memcpy(corner, bytes.data() + at, sizeof corner);
         std::uint32_t number[3];
@@ -130,7 +130,7 @@ private:
 
 bool is_binary_stl(std::string_view bytes)
 {
-    return bytes.size() >= kHead && bytes.size() == kHead + told(bytes) * kTriangle;
+    return bytes.size() >= kStlHead && bytes.size() == kStlHead + told(bytes) * kStlTriangle;
 }
 
 Model stl_of(std::string_view bytes)

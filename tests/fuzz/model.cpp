@@ -37,7 +37,7 @@ std::string packed(std::string_view model)
             put_little(*to, 20, to == &out ? 2 : 4), put_little(*to, 0, 8), put_little(*to, sum, 4);
             put_little(*to, text.size(), 4), put_little(*to, text.size(), 4), put_little(*to, name.size(), 2);
             put_little(*to, 0, to == &out ? 2 : 8);
-            if (to == &directory) put_little(*to, 0, 6), put_little(*to, at, 4);
+            if (to == &directory) put_little(*to, 0, 4), put_little(*to, at, 4);
             *to += name;
         }
         out += text;
