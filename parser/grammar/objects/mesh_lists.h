@@ -64,6 +64,8 @@ void read_model_mesh(MeshState& s, Kind word);
 Form model_mesh_form();
 /// A mesh with triangles of a file is a solid by itself where they are closed and all look the same way.
 void settle_inside(MeshState& s);
+/// "; " and where a mesh is open or turned over; nothing of what is no mesh, or a closed one.
+std::string why_open(const scene::Object& object);
 
 struct Indices {
     std::array<std::uint32_t, 3> at;

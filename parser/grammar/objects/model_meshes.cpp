@@ -142,14 +142,37 @@ void read_model_mesh(MeshState& s, Kind word)
     s.of_file = true;
 }
 
+namespace {
+
+csg::MeshEdges edges_of(const scene::MeshData& mesh)
+{
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    faces.reserve(mesh.faces.size());
+    for (const scene::MeshData::Face& face : mesh.faces) faces.push_back(face.vertex);
+    return csg::edges_of(mesh.vertices, faces);
+}
+
+}  // namespace
+
+std::string why_open(const scene::Object& object)
+{
+    const auto* mesh = std::get_if<scene::Mesh>(&object.shape);
+    if (!mesh || !mesh->data) return {};
+    const csg::MeshEdges edges = edges_of(*mesh->data);
+    if (edges.open.empty()) return edges.oriented ? "" : "; some faces of this mesh look inwards, others outwards";
+    const auto text = [&](std::uint32_t vertex) {
+        const glm::dvec3& p = mesh->data->vertices[vertex];
+        return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", p.x, p.y, p.z);
+    };
+    return fmt::format("; {} of this mesh's edges {} no second face, as that from {} to {}", edges.open.size(),
+                       edges.open.size() == 1 ? "has" : "have", text(edges.open[0][0]), text(edges.open[0][1]));
+}
+
 void settle_inside(MeshState& s)
 {
     scene::MeshData& mesh = *s.data;
     if (mesh.has_inside_vector) return;
-    std::vector<std::array<std::uint32_t, 3>> faces;
-    faces.reserve(mesh.faces.size());
-    for (const scene::MeshData::Face& face : mesh.faces) faces.push_back(face.vertex);
-    const csg::MeshEdges edges = csg::edges_of(mesh.vertices, faces);
+    const csg::MeshEdges edges = edges_of(mesh);
     if (!edges.open.empty() || !edges.oriented) return;
     mesh.has_inside_vector = true;
     mesh.inside_vector = csg::kAnyInsideVector;

@@ -60,6 +60,13 @@ TEST_CASE("a mesh of a file that is open or turned over is no solid", "[parser][
     {
         const MeshFile file("mesh_files_test.stl", kOpenStl + "endsolid\n");
         CHECK_FALSE(mesh_data_of("mesh { file \"mesh_files_test.stl\" }")->has_inside_vector);
+        const auto messages = parser::parse_text("#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+                                                 "difference { mesh { file \"mesh_files_test.stl\" } sphere { 0, 1 } }",
+                                                 "test.pov", {})
+                                  .messages;
+        REQUIRE(messages.size() == 1);
+        CHECK(messages[0].text == "what has no inside cannot be cut or cut with; 3 of this mesh's edges have no second "
+                                  "face, as that from <0, 0, 1> to <1, 0, 0>");
     }
     const MeshFile file("mesh_files_test.stl", kOpenStl + stl_facet("0 1 0", "1 0 0", "0 0 1") + "endsolid\n");
     CHECK_FALSE(mesh_data_of("mesh { file \"mesh_files_test.stl\" }")->has_inside_vector);
@@ -71,6 +78,60 @@ TEST_CASE("a closed mesh of an OBJ file is a solid too", "[parser][mesh]")
                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     for (const char* word : {"obj", "file"})
         CHECK(mesh_data_of(std::string("mesh { ") + word + " \"mesh_files_test.obj\" }")->has_inside_vector);
+}
+
+TEST_CASE("what a mesh file says of looks is textures", "[parser][mesh]")
+{
+    const MeshFile library("mesh_files_test.mtl", "newmtl a\nKd 1 0.5 0\nd 0.25\nKe 0 0 1\nnewmtl b\nKd 0 0 0\n");
+    const MeshFile file("mesh_files_test.obj",
+                        "mtllib mesh_files_test.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+                        "usemtl b\nf 1 3 2\nusemtl c\nf 2 1 3\n");
+    const std::string head = "global_settings { assumed_gamma 1 }\n", start = "mesh { file \"mesh_files_test.obj\" ";
+    const auto mesh = mesh_data_of(head + start + "}");
+    REQUIRE(mesh->textures.size() == 2);
+    CHECK((mesh->faces[0].texture[2] == 0 && mesh->faces[1].texture[0] == 1));
+    CHECK(mesh->faces[2].texture[0] == scene::MeshData::kNone);
+    const scene::Layer& layer = std::get<std::vector<scene::Layer>>(mesh->textures[0]->kind).front();
+    const auto color = std::get<scene::Color>(layer.pigment.kind);
+    CHECK((color.red == 1.0f && color.green == Approx(0.21404).epsilon(1e-4) && color.transmit == 0.75f));
+    CHECK(layer.finish->emission == glm::vec3(0, 0, 1));
+    // Nothing of it where the statement says so, and of `obj`; else by name.
+    CHECK(mesh_data_of(start + "texture_list { } }")->textures.empty());
+    CHECK(mesh_data_of("mesh { obj \"mesh_files_test.obj\" }")->textures.empty());
+    const auto named =
+        mesh_data_of("#declare T_a = texture { pigment { rgb 1 } }\n" + start + "texture_list { prefix \"T_\" } }");
+    CHECK((named->textures.size() == 1 && named->faces[0].texture[0] == 0));
+}
+
+TEST_CASE("colours of a mesh file's corners are the mesh's texture", "[parser][mesh]")
+{
+    const std::string
+        head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+               "property list uchar int vertex_indices\nend_header\n",
+        faces = "3 0 1 2\n3 0 2 3\n";
+    const auto object_of = [](const std::string& more) {
+        return parsed("global_settings { assumed_gamma 1 }\nmesh { file \"mesh_files_test.ply\" " + more + "}")
+            .objects.front();
+    };
+    {
+        const MeshFile file("mesh_files_test.ply",
+                            head + "0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0 9 9 9\n" + faces);
+        const scene::Object object = object_of("finish { diffuse 0.9 }");
+        const auto& mesh = *std::get<scene::Mesh>(object.shape).data;
+        CHECK((mesh.textures.empty() && mesh.uvs.size() == 6 && mesh.faces[1].uv[2] == 5));
+        const scene::Layer& layer = std::get<std::vector<scene::Layer>>(object.texture->kind).front();
+        CHECK(layer.finish->diffuse == 0.9f);
+        CHECK(std::get<scene::Shared<scene::PatternedPigment>>(layer.pigment.kind)->pattern.name == "uv_mapping");
+    }
+    {
+        const MeshFile one("mesh_files_test.ply",
+                           head + "0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 255 0 0\n" + faces);
+        const scene::Object object = object_of("");
+        CHECK(std::get<scene::Mesh>(object.shape).data->uvs.empty());
+        const scene::Layer& layer = std::get<std::vector<scene::Layer>>(object.texture->kind).front();
+        CHECK(std::get<scene::Color>(layer.pigment.kind) == scene::Color{1, 0, 0, 0, 0});
+    }
 }
 
 TEST_CASE("'file' is a name where a scene declares it", "[parser][mesh]")
