@@ -1,13 +1,11 @@
 #include "render/model/obj_reader.h"
 
-#include "render/model/polygon_triangles.h"
+#include "render/model/base/file_bytes.h"
+#include "render/model/base/polygon_triangles.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <unordered_map>
 
 namespace model {
@@ -102,6 +100,7 @@ private:
         else if (word == "vn") model_.normals.push_back(numbers<3>(words, "a normal", 3));
         else if (word == "vt") model_.uvs.push_back(numbers<2>(words, "a texture coordinate", 1));
         else if (word == "usemtl") material(words.rest());
+        else if (word == "mtllib") model_.libraries.emplace_back(words.rest());
     }
 
     /// `least`: so many must be there, others are 0.
@@ -178,7 +177,7 @@ private:
         if (name.empty()) fail("usemtl without a name");
         const auto [known, fresh] =
             known_.try_emplace(std::string(name), static_cast<std::uint32_t>(model_.materials.size()));
-        if (fresh) model_.materials.emplace_back(name);
+        if (fresh) model_.materials.emplace_back().name = name;
         material_ = known->second;
     }
 
@@ -193,26 +192,10 @@ private:
     std::vector<std::array<std::uint32_t, 3>> triangles_;
 };
 
-std::string text_of_file(const std::string& path)
-{
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) throw ModelError(std::strerror(errno), 0);
-    std::string text;
-    constexpr std::size_t kPiece = std::size_t{1} << 20;
-    for (std::size_t got = kPiece; got == kPiece;) {
-        const std::size_t before = text.size();
-        text.resize(before + kPiece);
-        got = std::fread(text.data() + before, 1, kPiece, file.get());
-        text.resize(before + got);
-    }
-    if (std::ferror(file.get()) != 0) throw ModelError("it cannot be read", 0);
-    return text;
-}
-
 }  // namespace
 
 Model obj_of(std::string_view text) { return ObjText(text).read(); }
 
-Model read_obj(const std::string& path) { return obj_of(text_of_file(path)); }
+Model read_obj(const std::string& path) { return obj_of(bytes_of_file(path)); }
 
 }  // namespace model

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/model/model.h"
+#include "render/model/base/model.h"
 
 #include <string_view>
 

@@ -170,6 +170,63 @@ TEST_CASE("edges of a mesh: a seam within rounding is closed, a missing face is 
     CHECK(open_edges(box).size() == 3);
 }
 
+TEST_CASE("edges of a mesh: a face that is turned over leaves it closed and not oriented", "[csg][mesh]")
+{
+    const std::vector<glm::dvec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 1}};
+    std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {1, 4, 2}, {0, 0, 1}};
+    const auto oriented = [&] {
+        const MeshEdges edges = edges_of(vertices, faces);
+        CHECK(edges.open.empty());
+        return edges.oriented;
+    };
+    CHECK(oriented());
+    std::swap(faces[2][0], faces[2][1]);
+    CHECK_FALSE(oriented());
+    faces.pop_back();
+    CHECK_FALSE(oriented());
+    for (auto& face : faces) std::swap(face[0], face[1]);  // the others
+    std::swap(faces[2][0], faces[2][1]);
+    CHECK(oriented());
+    CHECK(edges_of({}, {}).open.empty());
+}
+
+TEST_CASE("a closed mesh holds what the boxes of the same shape hold", "[csg][mesh]")
+{
+    // An angle of two boxes as a prism over six corners, its faces in the planes of the axes.
+    const glm::dvec2 outline[] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+    const std::array<std::uint32_t, 3> caps[] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    MeshInput angle;
+    angle.solid = true;
+    for (const double z : {0.0, 2.0})
+        for (const glm::dvec2& p : outline) angle.vertices.push_back({p, z});
+    for (const auto& [a, b, c] : caps) {
+        angle.faces.push_back({.vertex = {a, c, b}});
+        angle.faces.push_back({.vertex = {a + 6, b + 6, c + 6}});
+    }
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const std::uint32_t next = (i + 1) % 6;
+        angle.faces.push_back({.vertex = {i, next, next + 6}});
+        angle.faces.push_back({.vertex = {i, next + 6, i + 6}});
+    }
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    for (const MeshInput::Face& face : angle.faces) faces.push_back(face.vertex);
+    const MeshEdges edges = edges_of(angle.vertices, faces);
+    REQUIRE((edges.open.empty() && edges.oriented));
+    Rng rng(11);
+    for (int frame = 0; frame < 8; ++frame) {
+        Mesh mesh = mesh_of(angle, frame == 0 ? Transform{} : csg_test::random_transform(rng));
+        mesh.inside_vector = kAnyInsideVector;
+        for (int i = 0; i < 4000; ++i) {
+            const glm::dvec3 p(rng.uniform(-1, 4), rng.uniform(-1, 4), rng.uniform(-1, 3));
+            const bool held = p.z > 0 && p.z < 2 && p.x > 0 && p.y > 0 &&
+                              ((p.x < 3 && p.y < 1) || (p.x < 1 && p.y < 3));
+            REQUIRE(mesh.contains(mesh.frame.point(p)) == held);
+        }
+        for (int i = 0; i < 200; ++i)
+            check_spans(mesh, csg_test::ray_near(rng, mesh.frame.point({1, 1, 1}), 2.0, 6.0), rng.coin());
+    }
+}
+
 TEST_CASE("a smooth mesh bends its normals, three equal ones leave a face flat", "[csg][mesh]")
 {
     MeshInput input{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},

@@ -1,4 +1,5 @@
 #include "parser/grammar/objects/mesh_lists.h"
+#include "parser/grammar/objects/model_looks.h"
 
 #include <algorithm>
 
@@ -215,7 +216,7 @@ Production mesh_block()
     };
     const Form item = Form::choice({face(Kind::Triangle, form_of<pegtl::rep<3, a_vector, opt_comma>>()),
                                     face(Kind::SmoothTriangle, form_of<pegtl::rep<6, a_vector, opt_comma>>()),
-                                    obj_mesh_form(), form_of<inside_vector>()});
+                                    model_mesh_form(), form_of<inside_vector>()});
     return {"mesh_block",
             Form::braces(
                 {Form::choice({Form::operand("identifier"), Form::repeated(item, 1)}),
@@ -243,11 +244,13 @@ scene::Object read_mesh(SceneBuilder& build, const scene::SourceRef& source)
         if (in.accept(Kind::Triangle)) read_face(s, false);
         else if (in.accept(Kind::SmoothTriangle)) read_face(s, true);
         else if (in.peek().kind == Kind::Faces) take_faces(s, in.next());
-        else if (in.accept(Kind::Obj)) read_obj_mesh(s);
+        else if (in.accept(Kind::Obj)) read_model_mesh(s, Kind::Obj);
+        else if (in.accept(Kind::File)) read_model_mesh(s, Kind::File);
         else if (table<MeshState, inside_vector>::match(build, s)) continue;
         else more = false;
     }
     if (!declared && s.data->faces.empty()) build.stream().fail(source, "this mesh has no triangles");
+    if (s.of_file) settle_inside(s), settle_look(s, object);
     object = finish_mesh(s, std::move(object), declared);
     build.close_block("mesh", opened);
     return object;

@@ -26,6 +26,8 @@ inline bool at_vector(TokenStream& in)
 struct MeshState : BlockState {
     using BlockState::BlockState;
     std::shared_ptr<scene::MeshData> data = std::make_shared<scene::MeshData>();
+    bool of_file = false;              ///< some of its triangles are
+    std::vector<std::uint32_t> looks;  ///< textures that files tell, as indices into data->textures
     std::uint32_t add_texture(scene::TexturePtr t)
     {
         data->textures.push_back(std::move(t));
@@ -57,9 +59,13 @@ struct MeshState : BlockState {
     }
 };
 
-/// Behind `obj`: the file's name and what its materials are; adds its triangles (model_meshes.cpp).
-void read_obj_mesh(MeshState& s);
-Form obj_mesh_form();
+/// Behind `obj` and `file`: the file's name and what its materials are; adds its triangles (model_meshes.cpp).
+void read_model_mesh(MeshState& s, Kind word);
+Form model_mesh_form();
+/// A mesh with triangles of a file is a solid by itself where they are closed and all look the same way.
+void settle_inside(MeshState& s);
+/// "; " and where a mesh is open or turned over; nothing of what is no mesh, or a closed one.
+std::string why_open(const scene::Object& object);
 
 struct Indices {
     std::array<std::uint32_t, 3> at;

@@ -2,6 +2,7 @@
 #include "csg/freeform/freeform_solid.h"
 #include "parser/grammar/core/rules.h"
 #include "parser/grammar/core/solid_reader.h"
+#include "parser/grammar/objects/mesh_lists.h"
 #include "parser/grammar/objects/solids.h"
 
 #include <algorithm>
@@ -182,7 +183,8 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
             peek_for(in, build.receiver, operands);
             if (!read_object(build, operand)) break;
             const bool inside = has_inside(operand);
-            if (operands.cuts && !inside) in.warn(operand.source, "what has no inside cannot be cut or cut with");
+            if (operands.cuts && !inside)
+                in.warn(operand.source, "what has no inside cannot be cut or cut with" + why_open(operand));
             if (operand.drawn()) {
                 operands.all_inside = operands.all_inside && inside;
                 operands.objects.add(std::move(operand));

@@ -11,7 +11,9 @@ namespace parser {
 
 const Token& TokenStream::new_word(const Token& token) const
 {
-    const bool left_out = options_.povray == scene::PovRay::V37 && names_.new_word(token.name) != Kind::Steps;
+    const Kind meant = names_.new_word(token.name);
+    const bool of_38 = meant != Kind::Steps && meant != Kind::File;  // 3.7 has the one, Whittle alone the other
+    const bool left_out = options_.povray == scene::PovRay::V37 && of_38;
     return left_out || value_of(token) ? token : files_[token.file]->new_words[token.jump];
 }
 

@@ -1,5 +1,7 @@
 #include "render/plan/geometry/geometry.h"
 
+#include "csg/mesh/mesh_edges.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -26,13 +28,15 @@ std::size_t solids_of(const scene::Csg& csg)
     return count;
 }
 
-/// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh, and what
-/// tells crossings beside its surface does so by a length of the scene.
+/// Whether some solid looks at the scene's own axes or lengths: an inside_vector does not turn with its mesh (where
+/// none was written any does), and what tells crossings beside its surface does so by a length of the scene.
 bool tied_to_scene(const csg::SolidStore& store)
 {
     const auto& meshes = store.all<csg::Mesh>();
     const auto& freeforms = store.all<csg::Freeform>();
-    return std::any_of(meshes.begin(), meshes.end(), [](const csg::Mesh& mesh) { return mesh.solid(); }) ||
+    return std::any_of(
+               meshes.begin(), meshes.end(),
+               [](const csg::Mesh& mesh) { return mesh.solid() && mesh.inside_vector != csg::kAnyInsideVector; }) ||
            std::any_of(freeforms.begin(), freeforms.end(),
                        [](const csg::Freeform& solid) { return solid.has_open_surface(); });
 }

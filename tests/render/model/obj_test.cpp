@@ -1,5 +1,5 @@
 #include "render/model/obj_reader.h"
-#include "render/model/polygon_triangles.h"
+#include "render/model/base/polygon_triangles.h"
 
 #include <catch2/catch.hpp>
 
@@ -58,7 +58,9 @@ TEST_CASE("an OBJ file's lines become triangles", "[model][obj]")
     CHECK(rich.vertices[1] == glm::dvec3(1.5, 0, 0));
     CHECK(rich.vertices[2] == glm::dvec3(1, 1, 0));
     CHECK(rich.uvs[1] == glm::dvec2(1, 0));
-    CHECK(rich.materials == std::vector<std::string>{"dark wood", "b"});
+    REQUIRE(rich.materials.size() == 2);
+    CHECK((rich.materials[0].name == "dark wood" && rich.materials[1].name == "b" && !rich.materials[0].told));
+    CHECK(rich.libraries == std::vector<std::string>{"a.mtl"});
     CHECK(
         (rich.faces[0].uv == Three{0, 1, 2} && rich.faces[0].normal == Three{0, 0, 0} && rich.faces[0].material == 0));
     CHECK(

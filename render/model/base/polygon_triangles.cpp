@@ -1,5 +1,6 @@
-#include "render/model/polygon_triangles.h"
+#include "render/model/base/polygon_triangles.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace model {
@@ -29,10 +30,13 @@ public:
     }
     void cut(std::vector<std::array<std::uint32_t, 3>>& out)
     {
+        // An outline that winds and crosses itself needs the cube of its corners: past this many looks at a corner ears
+        // are cut anywhere. Whatever has fewer than 64 corners stays below.
+        std::size_t looks = 4000 * left_.size();
         while (left_.size() > 3) {
             std::size_t ear = 0;  // any, where the outline crosses itself and has none
-            for (std::size_t i = 0; i < left_.size(); ++i)
-                if (is_ear(i)) {
+            for (std::size_t i = 0; i < left_.size() && looks > 0; ++i)
+                if (looks -= std::min(looks, left_.size()); is_ear(i)) {
                     ear = i;
                     break;
                 }
