@@ -6,7 +6,7 @@
 
 namespace image {
 
-inline constexpr std::size_t kMostCarried = std::size_t{64} << 20;  ///< bytes that a picture may carry, packed
+inline constexpr std::size_t kMostCarried = std::size_t{80} << 20;  ///< bytes that a picture may carry, packed
 
 /// What FileSettings::carried said when the file was written; nothing where the file carries nothing. Looks at the
 /// entries before and behind the pixels, never at these. Throws FileError for a file that cannot be read, is of a type

@@ -103,8 +103,8 @@ def check_round(top):
         assert opened.returncode == 0, opened.stderr
         for text in (read(f"{top}/opened{number}/{name}") for name in below(f"{top}/opened{number}")):
             assert top.encode() not in text, "a path of this machine went along"
-        ini = picture.rsplit(".", 1)[0] + ".ini"
-        again = run(f"{top}/opened{number}", ini, f"+O{top}/again{number}/", "--make-folders")
+        ini = next(name for name in below(f"{top}/opened{number}") if name.endswith(".ini"))
+        again = run(os.path.dirname(f"{top}/opened{number}/{ini}"), os.path.basename(ini), f"+O{top}/again{number}/", "--make-folders")
         assert again.returncode == 0, again.stderr
         for name in below(out):
             if name.startswith("plain/"):
@@ -146,9 +146,9 @@ def check_hostile(top):
         "options": [records([option], good) for option in (
             b"Output_File_Name=/tmp/x.png", b"Pre_Scene_Command=touch x", b"--allow-commands", b"--allow-write=/", b"+O/tmp/x",
             b"--samples=4 +O/tmp/x", b'Library_Path="../x"', b'Library_Path=".","/"', b"Width=3\n+Ox", b"Create_Ini=x.ini", b"All_File=x",
-            b"Quality=9;x=y'", b"Include_Ini=x.ini", b'Quality="9" +Ox')],
+            b'Library_Path=".."', b'Input_File_Name="a/../../s.pov"', b"Quality=9;x=y'", b"Include_Ini=x.ini", b'Quality="9" +Ox')],
         "damaged": [FORM, b"", records([line], good)[:-3], records([line], good + good), records([], []), b"whittle scene 2\n",
-                    FORM + b"f5 99999999999999999999\nab", FORM + b"x1\n", FORM + b"f1 100\nab", FORM + b"f-1 1\nab", records([line], good) + b"f"],
+                    FORM + b"f5 99999999999999999999\nab", FORM + b"x1\n", FORM + b"f1 100\nab", FORM + b"f-1 1\nab", records([line], good) + b"f", records([line], good) + b"d2\n.."],
         "bomb": [FORM + b"f1 67108864\na" + b"\0" * 67108864 + b"f1 67108864\nb" + b"\0" * 67108864],
     }
     for kind, all_of_it in wrong.items():

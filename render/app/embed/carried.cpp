@@ -100,6 +100,7 @@ bool is_inner_name(std::string_view name)
 std::string packed(const Carried& carried)
 {
     std::string text(kForm);
+    if (!carried.folder.empty()) text += fmt::format("d{}\n{}", carried.folder.size(), carried.folder);
     for (const std::string& line : carried.options) text += fmt::format("o{}\n{}", line.size(), line);
     for (const Carried::File& file : carried.files) {
         text += fmt::format("f{} {}\n{}", file.name.size(), file.bytes.size(), file.name);
@@ -131,6 +132,9 @@ Carried unpacked(std::string_view bytes)
         if (letter == 'o') {
             if (out.options.size() >= kMostOptions) damaged("it has too many options");
             out.options.emplace_back(records.bytes(records.number(kLongestOption)));
+        } else if (letter == 'd') {
+            out.folder = std::string(records.bytes(records.number(kLongestName)));
+            if (!is_inner_name(out.folder)) damaged("its folder is none");
         } else if (letter == 'f') {
             if (out.files.size() >= kMostCarriedFiles) damaged("it has too many files");
             const std::size_t name_size = records.number(kLongestName), size = records.number(kMostCarriedBytes);

@@ -13,6 +13,7 @@ struct Carried {
         std::string name;  ///< below the folder that it is taken out into: "library/1/colors.inc"
         std::string bytes;
     };
+    std::string folder;  ///< from which the scene's names start, where the options go; empty: the top
     std::vector<std::string> options;
     std::vector<File> files;  ///< the scene first
 };

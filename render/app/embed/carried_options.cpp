@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 namespace app {
@@ -81,11 +82,20 @@ std::string whole_line(const Option& option, const std::string& text)
     return std::string(option.keyword) + "=" + text;
 }
 
+/// A name from that folder leads to something that was taken out, by whatever steps up.
+bool stays_inside(const std::string& folder, std::string_view name)
+{
+    if (name.starts_with('/')) return false;
+    const std::string whole = (std::filesystem::path(folder) / name).lexically_normal().string();
+    return is_inner_name(whole) || (name == "." && !folder.empty());
+}
+
 }  // namespace
 
-std::string file_option(const char* keyword, const std::string& name)
+std::string file_option(const char* keyword, const std::string& name, const std::string& folder)
 {
-    return fmt::format("{}=\"{}\"", keyword, name);
+    const std::filesystem::path from = folder.empty() ? "." : folder;
+    return fmt::format("{}=\"{}\"", keyword, std::filesystem::path(name).lexically_relative(from).string());
 }
 
 std::vector<std::string> picture_options(const Settings& settings, const int* frame)
@@ -108,7 +118,7 @@ std::vector<std::string> picture_options(const Settings& settings, const int* fr
     return lines;
 }
 
-bool may_bring(const std::string& line)
+bool may_bring(const std::string& line, const std::string& folder)
 {
     if (std::any_of(line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) return false;
     if (line.starts_with("--"))
@@ -120,7 +130,7 @@ bool may_bring(const std::string& line)
                            value = std::string_view(line).substr(equals + 1);
     if (has(kFileKeywords, keyword))
         return value.size() > 2 && value.front() == '"' && value.back() == '"' &&
-               is_inner_name(value.substr(1, value.size() - 2));
+               stays_inside(folder, value.substr(1, value.size() - 2));
     if (!has(kKeywords, keyword)) return false;
     if (keyword == "Declare") return true;  // taken as it stands, whatever it is
     if (value.size() > 1 && value.front() == '"' && value.back() == '"')

@@ -13,10 +13,11 @@ namespace app {
 std::vector<std::string> picture_options(const Settings& settings, const int* frame);
 
 /// One line for a file or a folder.
-std::string file_option(const char* keyword, const std::string& name);
+/// \param folder  that the options lie in
+std::string file_option(const char* keyword, const std::string& name, const std::string& folder);
 
 /// Whether a picture may bring a line: one of those that are written here, and where it names a file, one that stays in
-/// the folder. Whoever made the picture may have written others into it.
-bool may_bring(const std::string& line);
+/// what is taken out. Whoever made the picture may have written others into it.
+bool may_bring(const std::string& line, const std::string& folder);
 
 }  // namespace app

@@ -31,6 +31,15 @@ int ups(const fs::path& relative)
     return count;
 }
 
+bool lies_in(const fs::path& path, const fs::path& folder)
+{
+    const fs::path relative = path.lexically_relative(folder);
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+/// How many steps up a path has anywhere.
+int steps_up(const fs::path& path) { return static_cast<int>(std::count(path.begin(), path.end(), "..")); }
+
 /// A folder from which names in the scene start.
 struct Root {
     std::string given;   ///< as paths found in it begin
@@ -38,10 +47,12 @@ struct Root {
     std::string stored;  ///< its name in the picture, for what is not above it; empty: the top
     int up = 0;          ///< folders above it that files lie in
     bool used = false;
+    bool whole_paths = false;  ///< of the current folder: such a path means a file in it too
+    bool current = false;      ///< another beginning of paths in the current folder
 
     bool begins(const std::string& path) const
     {
-        if (given.empty()) return !fs::path(path).is_absolute();
+        if (given.empty()) return !fs::path(path).is_absolute() || (whole_paths && lies_in(whole(path), folder));
         return path.size() > given.size() + 1 && path.starts_with(given) &&
                (path[given.size()] == '/' || given.back() == '/');
     }
@@ -63,12 +74,6 @@ struct Root {
     }
 };
 
-bool lies_in(const fs::path& path, const fs::path& folder)
-{
-    const fs::path relative = path.lexically_relative(folder);
-    return !relative.empty() && *relative.begin() != "..";
-}
-
 /// Without a slash at its end, which "folder/name" has but once.
 fs::path folder_path(const std::string& text)
 {
@@ -85,7 +90,7 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
     for (const std::string& file : files)
         if (std::find(paths.begin(), paths.end(), file) == paths.end()) paths.push_back(file);
 
-    std::vector<Root> roots{{"", folder_path("."), "", 0, true}};
+    std::vector<Root> roots{{"", folder_path("."), "", 0, true, fs::path(scene).is_absolute()}};
     std::vector<std::pair<std::size_t, fs::path>>
         searched;  // by root: a folder of the library path below the current one
     int number = 0;
@@ -96,8 +101,7 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
         const fs::path path = folder_path(folder);
         if (lies_in(path, roots[0].folder)) {
             searched.emplace_back(0, path);
-            if (fs::path(folder).is_absolute()) roots.push_back({folder, path, "", 0, true});
-            if (fs::path(folder).is_absolute()) roots.back().stored = path.lexically_relative(roots[0].folder).string();
+            if (fs::path(folder).is_absolute()) roots.push_back({folder, path, "", 0, false, false, true});
             continue;
         }
         std::string stored;
@@ -110,23 +114,22 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
     if (!lies_in(beside, roots[0].folder))
         roots.push_back({fs::path(scene).parent_path().string(), beside, taken("scene") ? "scene_files" : "scene"});
 
-    // Of roots that a path begins with, the longest is meant.
-    const auto root_of = [&](const std::string& path) -> Root* {
-        Root* best = nullptr;
-        for (Root& root : roots)
-            if (root.begins(path) && (!best || root.given.size() > best->given.size())) best = &root;
-        return best;
-    };
+    // Of roots that a path begins with, the longest is meant. A name that steps up may be found by another folder than
+    // the current one; where it is taken out it must not be found above that.
     std::vector<Root*> of(paths.size());
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        Root* const root = of[i] = root_of(paths[i]);
-        const int up = root ? ups(root->relative(paths[i])) : 0;
-        if (!root || up > kMostUp) {
-            of[i] = nullptr;
+        Root* root = nullptr;
+        for (Root& one : roots)
+            if (one.begins(paths[i]) && (!root || one.given.size() > root->given.size())) root = &one;
+        const int steps = root ? steps_up(paths[i].substr(root->given.size())) : 0;
+        if (root && root->current) root = &roots[0];
+        if (!root || steps > kMostUp) {
             absolute_.push_back(paths[i]);
             continue;
         }
-        root->up = std::max(root->up, up);
+        of[i] = root;
+        root->up = std::max(root->up, ups(root->relative(paths[i])));
+        roots[0].up = std::max(roots[0].up, steps);
         root->used = true;
     }
     std::set<std::string> names;
@@ -134,7 +137,7 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
         std::string name = of[i] ? of[i]->name_of(paths[i]) : "absolute/" + whole(paths[i]).relative_path().string();
         if (names.insert(name).second) files_.push_back({paths[i], std::move(name)});
     }
-    if (roots[0].up > 0) folders_.push_back(roots[0].place());
+    if (roots[0].up > 0) start_ = roots[0].place();
     for (const auto& [root, path] : searched) {
         if (root != 0 && roots[root].used) folders_.push_back(roots[root].place());
         if (root != 0) continue;
@@ -192,19 +195,24 @@ std::shared_ptr<const std::string> carried_of(Run& run, const Frame& frame, cons
         run.reporter.note(fmt::format("{} is named by its whole path: the picture carries it, but its scene, taken out "
                                       "elsewhere, looks for it there",
                                       path));
-    carried.options.push_back(file_option("Input_File_Name", names.files().front().name));
-    for (const std::string& folder : names.folders()) carried.options.push_back(file_option("Library_Path", folder));
+    carried.folder = names.start();
+    const auto name_option = [&](const char* keyword, const std::string& name) {
+        carried.options.push_back(file_option(keyword, name, carried.folder));
+    };
+    name_option("Input_File_Name", names.files().front().name);
+    for (const std::string& folder : names.folders()) name_option("Library_Path", folder);
     if (!settings.include_header.empty() && parsed.scene.files.size() > 1)  // the first that is included
-        carried.options.push_back(file_option("Include_Header", names.name_of(parsed.scene.files[1])));
-    if (settings.radiosity_from_file)
-        carried.options.push_back(file_option("Radiosity_File_Name", names.name_of(settings.radiosity_file)));
+        name_option("Include_Header", names.name_of(parsed.scene.files[1]));
+    if (settings.radiosity_from_file) name_option("Radiosity_File_Name", names.name_of(settings.radiosity_file));
     if (!settings.views.empty() && !is_view_words(settings.views)) {
         auto cameras = text_on_disk(settings.views);
         if (!cameras) throw scene::Error({settings.views, {}}, "cannot read this file of cameras");
+        const std::string before = carried.folder.empty() ? "" : carried.folder + "/";
         std::string name = "views.json";
-        while (std::any_of(carried.files.begin(), carried.files.end(), [&](const auto& f) { return f.name == name; }))
+        while (std::any_of(carried.files.begin(), carried.files.end(),
+                           [&](const auto& f) { return f.name == before + name; }))
             name = "views_" + name;
-        carried.files.push_back({name, std::move(*cameras)});
+        carried.files.push_back({before + name, std::move(*cameras)});
         carried.options.push_back("--views=" + name);
     }
     const std::vector<std::string> others = picture_options(settings, run.list.animation ? &frame.number : nullptr);

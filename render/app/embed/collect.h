@@ -21,6 +21,7 @@ public:
     /// \param library  folders as they are searched
     FileNames(const std::string& scene, const std::vector<std::string>& library, const std::vector<std::string>& files);
     const std::vector<NamedFile>& files() const { return files_; }  ///< each once, the scene first
+    const std::string& start() const { return start_; }             ///< the current folder of the run; empty: the top
     /// In the order of a search, those alone that hold a file.
     const std::vector<std::string>& folders() const { return folders_; }
     std::string name_of(const std::string& path) const;                     ///< empty: it is none of them
@@ -28,6 +29,7 @@ public:
 
 private:
     std::vector<NamedFile> files_;
+    std::string start_;
     std::vector<std::string> folders_, absolute_;
 };
 

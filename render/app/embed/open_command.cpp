@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kOpenUsage = R"(usage: whittle open PICTURE [-o FOLDER] [--list] [--replace]
 
 Takes out what a picture carries that was rendered with --embed: the scene, the files that it read, and its options as an INI file.
-whittle NAME.ini in that folder makes the same picture again. Files that are there are not overwritten.
+What is printed makes the same picture again. Files that are there are not overwritten.
 
   -o FOLDER   where to; usual: the picture's name without its ending, here
   --list      print what it carries, and write nothing
@@ -52,14 +52,15 @@ OpenRequest open_request(const std::vector<std::string>& arguments)
     return request;
 }
 
-/// A name for the options beside the files.
+/// A name for the options, where the scene's names start.
 std::string ini_name(const OpenRequest& request, const Carried& carried)
 {
     std::string stem = std::filesystem::path(request.picture).stem().string();
+    const std::string before = carried.folder.empty() ? "" : carried.folder + "/";
     while (std::any_of(carried.files.begin(), carried.files.end(),
-                       [&](const Carried::File& f) { return f.name == stem + ".ini"; }))
+                       [&](const Carried::File& f) { return f.name == before + stem + ".ini"; }))
         stem += "_picture";
-    return stem + ".ini";
+    return before + stem + ".ini";
 }
 
 int open_picture(const OpenRequest& request)
@@ -68,7 +69,7 @@ int open_picture(const OpenRequest& request)
     if (!bytes) throw std::runtime_error("it carries no scene: it was not rendered with --embed");
     Carried carried = unpacked(*bytes);
     for (const std::string& line : carried.options)
-        if (!may_bring(line))
+        if (!may_bring(line, carried.folder))
             throw std::runtime_error(fmt::format("its options have a line that no picture may bring: '{}'", line));
     std::string ini = fmt::format("; of {}\n", std::filesystem::path(request.picture).filename().string());
     for (const std::string& line : carried.options) ini += line + "\n";
@@ -81,8 +82,9 @@ int open_picture(const OpenRequest& request)
         return kSuccess;
     }
     put_files(carried.files, request.folder, request.replace);
-    fmt::print("{}  {} file{} and {}: whittle {} in that folder makes the picture\n", request.folder, count,
-               count == 1 ? "" : "s", name, name);
+    const std::filesystem::path at(request.folder), ini_path(name);
+    fmt::print("{}  {} file{}; cd {} && whittle {}\n", request.folder, count, count == 1 ? "" : "s",
+               (at / ini_path.parent_path()).lexically_normal().string(), ini_path.filename().string());
     return kSuccess;
 }
 

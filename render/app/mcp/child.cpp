@@ -88,7 +88,7 @@ struct Listened {
 
 }  // namespace
 
-ChildResult run_child(const ChildLimits& limits, const std::function<int()>& work, int listen,
+ChildResult run_child(const ChildLimits& limits, const std::function<int()>& work, const std::function<int()>& listen,
                       const std::function<bool()>& wanted)
 {
     int out[2], err[2];
@@ -120,7 +120,7 @@ ChildResult run_child(const ChildLimits& limits, const std::function<int()>& wor
         constexpr int kLook = 20;  // ms
         pollfd files[3] = {{listened[0].open ? listened[0].file : -1, POLLIN, 0},
                            {listened[1].open ? listened[1].file : -1, POLLIN, 0},
-                           {result.cancelled ? -1 : listen, POLLIN, 0}};
+                           {result.cancelled ? -1 : listen(), POLLIN, 0}};
         ::poll(files, 3, kLook);
         for (int i = 0; i < 2; ++i)
             if (listened[i].open && files[i].revents != 0) listened[i].read_some(limits.output);

@@ -24,9 +24,9 @@ struct ChildResult {
 
 /// Runs work in a process of its own, a copy of this one: whatever a scene makes of it, memory, time, a crash, ends
 /// with it. This process must have one thread. The work prints as a command does. `wanted` is called while it runs,
-/// some times a second and whenever the client says something; false ends it. `listen` is the client's file, which is
-/// watched for that; -1: there is none.
-ChildResult run_child(const ChildLimits& limits, const std::function<int()>& work, int listen,
+/// some times a second and whenever the client says something; false ends it. `listen` is the client's file at that
+/// time, which is watched; -1: there is nothing to hear.
+ChildResult run_child(const ChildLimits& limits, const std::function<int()>& work, const std::function<int()>& listen,
                       const std::function<bool()>& wanted);
 
 }  // namespace app::mcp

@@ -54,7 +54,9 @@ void check_names(const Tool& tool, const json& arguments)
 
 Server::Server(Walls walls, lsp::Input& input, int input_file, lsp::Output& output)
     : input_(input), input_file_(input_file), output_(output),
-      shop_(std::move(walls), input_file, [this] { return still_wanted(); })
+      shop_(
+          std::move(walls), [this] { return ended_ || waiting_.size() >= kMostWaiting ? -1 : input_file_; },
+          [this] { return still_wanted(); })
 {}
 
 void Server::serve()
@@ -64,8 +66,6 @@ void Server::serve()
         if (!waiting_.empty()) {
             line = std::move(waiting_.front());
             waiting_.pop_front();
-        } else if (ended_) {
-            return;
         } else {
             const lsp::Input::What what = input_.next_line(line);
             if (what == lsp::Input::What::End) return;

@@ -27,8 +27,8 @@ struct Walls {
 /// What tools share.
 class Workshop {
 public:
-    Workshop(Walls walls, int listen, std::function<bool()> wanted)
-        : walls_(std::move(walls)), listen_(listen), wanted_(std::move(wanted))
+    Workshop(Walls walls, std::function<int()> listen, std::function<bool()> wanted)
+        : walls_(std::move(walls)), listen_(std::move(listen)), wanted_(std::move(wanted))
     {}
     const Walls& walls() const { return walls_; }
     const ScratchFolder& scratch() const { return scratch_; }
@@ -51,7 +51,7 @@ private:
 
     const Walls walls_;
     const ScratchFolder scratch_;
-    const int listen_;
+    const std::function<int()> listen_;
     const std::function<bool()> wanted_;
     int pictures_ = 0;
 };

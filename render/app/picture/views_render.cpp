@@ -103,14 +103,15 @@ public:
 
     int render(StageTimes& times)
     {
-        const int status = views_.sheet ? render_sheet(times) : render_each(times);
+        const int status = views_.sheet ? render_sheet(times) : render_each();
         task_.run.told_far = run_.told_far;
+        times.finish(views_.sheet ? "write" : "trace");
         if (status == kSuccess && rendered_) task_.run.reporter.rendered(times, teller_.all());
         return status;
     }
 
 private:
-    int render_one(std::size_t i, const image::FileSettings& file, const std::string& path, StageTimes& times,
+    int render_one(std::size_t i, const image::FileSettings& file, const std::string& path,
                    const std::function<void(const image::Image&)>& take)
     {
         if (task_.run.cancel.requested) throw AbortedRun();
@@ -120,15 +121,15 @@ private:
             plan::turn_camera(*scene, cameras_[i]);
             return scene;
         };
-        times.finish("plan");
+        StageTimes of_view;  // --time counts the seconds of each
         const int status = render_picture(
-            {run_, task_.last_resort, task_.compiled, file, path, moment, task_.moments, task_.layers, take}, times);
+            {run_, task_.last_resort, task_.compiled, file, path, moment, task_.moments, task_.layers, take}, of_view);
         teller_.view_done();
         rendered_ = true;
         return status;
     }
 
-    int render_each(StageTimes& times)
+    int render_each()
     {
         if (task_.path.empty() && cameras_.size() > 1)
             throw OptionError(
@@ -140,7 +141,7 @@ private:
                 teller_.view_done();
                 continue;
             }
-            if (const int status = render_one(i, file, path, times, {}); status != kSuccess) return status;
+            if (const int status = render_one(i, file, path, {}); status != kSuccess) return status;
         }
         return kSuccess;
     }
@@ -159,8 +160,9 @@ private:
         Sheet sheet(*views_.sheet, settings_);
         for (std::size_t i = 0; i < cameras_.size(); ++i) {
             const auto take = [&](const image::Image& view) { sheet.put(i, view); };
-            if (const int status = render_one(i, file, {}, times, take); status != kSuccess) return status;
+            if (const int status = render_one(i, file, {}, take); status != kSuccess) return status;
         }
+        times.finish("trace");
         if (!settings_.output_to_file) return kSuccess;
         if (path.empty()) {
             StreamedFile out(file.type);
@@ -169,7 +171,8 @@ private:
         } else {
             run_.files.write(path, sheet.picture(), file);
         }
-        times.finish("write");
+        task_.run.reporter.note(fmt::format("a sheet of {}x{} views, {}x{}", views_.sheet->columns, views_.sheet->rows,
+                                            sheet.picture().width, sheet.picture().height));
         if (!path.empty()) task_.run.reporter.written(path);
         return kSuccess;
     }

@@ -169,9 +169,9 @@ bool is_view_words(const std::string& value)
 SceneViews views_of(const Settings& settings, const scene::Camera& camera, const plan::CompiledScene& compiled)
 {
     const std::string& value = settings.views;
+    camera_statement(camera);  // one that cannot be turned is told before all else
     if (!is_view_words(value)) return views_in_file(value, settings);
     const ViewWords words = words_in(value);
-    camera_statement(camera);  // one that cannot be turned is told before all else
     const double distance = words.distance > 0.0 ? words.distance : pivot_distance(compiled);
     if (words.word == "quilt") return quilt(words, value, settings, camera, distance);
     if (words.word == "stereo") return stereo(words, camera, distance);
