@@ -41,7 +41,7 @@ reflection { } }  interior { ior 1.5 } with a pigment that transmits (rgbt, rgbf
 
 ## Directives
 #declare Name = value;   #local   #macro Name(A, B) ... #end   #if #else #end   #while (cond) #end   #for (I, 0, 9) #end
-#include "colors.inc"    #debug "text\n"   rand(seed(1))   vlength(v) vnormalize(v) vcross(a, b) vdot(a, b)
+Files and messages: #include "colors.inc"    #debug "text\n"   rand(seed(1))   vlength(v) vnormalize(v) vcross(a, b) vdot(a, b)
 
 ## What goes wrong most often
 - `#declare` of a number ends with `;`. A declared object stands in the scene as `object { Name }`.
