@@ -121,7 +121,7 @@ def check_walls(client, folder):
     assert sorted(os.listdir(folder)) == before and not os.path.exists(os.path.dirname(folder) + "/out.txt")
     for tool in ("check", "render", "info"):
         start = time.monotonic()
-        result, text = client.call(tool, scene=ENDLESS, seconds=1)
+        result, text = client.call(tool, scene=ENDLESS, seconds=0.5)
         assert time.monotonic() - start < 4 and ("endless-loop" in text or "stopped" in text), (tool, text)
     result, text = client.call("info", scene=LARGE)
     assert result["isError"] and "memory" in text or "stopped" in text, text
@@ -138,7 +138,7 @@ WHITTLE = os.path.abspath(sys.argv[1])
 with tempfile.TemporaryDirectory() as place:
     inside = place + "/folder"
     os.makedirs(inside)
-    server = Client(WHITTLE, "mcp", "--seconds=8", "--memory=600", folder=inside)
+    server = Client(WHITTLE, "mcp", "--seconds=6", "--memory=300", folder=inside)
     check_protocol(server)
     check_tools(server, inside)
     check_walls(server, inside)

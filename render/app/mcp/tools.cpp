@@ -173,7 +173,9 @@ int become_renderer(const Words& words, const std::string& folder)
 json check_tool(Workshop& shop, const json& arguments)
 {
     const Words words = words_for(shop, arguments);
-    const ChildResult result = shop.run(arguments, [&] { return check_scene(words, shop.walls().limits); });
+    ChildLimits limits = shop.walls().limits;
+    limits.seconds = number_in(arguments, "seconds", 0.1, limits.seconds, limits.seconds);
+    const ChildResult result = shop.run(arguments, [&] { return check_scene(words, limits); });
     const json found = json::parse(result.out, nullptr, false);
     if (!found.is_object()) throw ToolFailure("the scene could not be read\n" + told(result, shop));
     std::string text;
