@@ -64,7 +64,7 @@ def check_protocol(client):
 def check_tools(client, folder):
     result, text = client.call("check", scene=SCENE)
     assert result["structuredContent"] == {"readable": True, "messages": []} and not result["isError"], result
-    result, text = client.call("check", scene=SCENE.replace("object { Ball", "object { Bal"))
+    result, text = client.call("check", scene=SCENE.replace("object { Ball", "object { Balll"))
     message = result["structuredContent"]["messages"][0]
     assert (message["severity"], message["file"], message["line"], message["column"]) == ("error", "scene.pov", 6, 10), message
     assert message["suggestion"] == "Ball" and "scene.pov:6:10: error" in text
@@ -81,7 +81,7 @@ def check_tools(client, folder):
     result, text = client.call("render", scene="sphere {", width=64, height=48)
     assert result["isError"] and "scene.pov:1:" in text, text
     result, text = client.call("pixel", scene=SCENE, x=32, y=24, width=64, height=48)
-    assert "sphere" in text and "scene.pov:5" in text, text
+    assert "sphere" in text and "scene.pov:6" in text, text
     result, text = client.call("info", scene=SCENE, object="Ball")
     assert abs(json.loads(text.split("\n")[0])["volume"] - 4.18879) < 2e-3, text
     result, text = client.call("section", scene=SCENE, axis="y", value=0.5)

@@ -70,7 +70,8 @@ struct Root {
     /// Where names that start from it are looked up.
     std::string place() const
     {
-        return (fs::path(stored) / folder.lexically_relative(top())).lexically_normal().string();
+        const std::string name = (fs::path(stored) / folder.lexically_relative(top())).lexically_normal().string();
+        return name.ends_with('/') ? name.substr(0, name.size() - 1) : name;
     }
 };
 
@@ -93,7 +94,6 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
     std::vector<Root> roots{{"", folder_path("."), "", 0, true, fs::path(scene).is_absolute()}};
     std::vector<std::pair<std::size_t, fs::path>>
         searched;  // by root: a folder of the library path below the current one
-    int number = 0;
     const auto taken = [&](const std::string& name) {
         return std::any_of(paths.begin(), paths.end(), [&](const std::string& p) { return p.starts_with(name + "/"); });
     };
@@ -104,11 +104,8 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
             if (fs::path(folder).is_absolute()) roots.push_back({folder, path, "", 0, false, false, true});
             continue;
         }
-        std::string stored;
-        do stored = fmt::format("library/{}", ++number);
-        while (taken(stored));
         searched.emplace_back(roots.size(), path);
-        roots.push_back({folder, path, stored});
+        roots.push_back({folder, path, "library"});  // and a number, if it is of use
     }
     const fs::path beside = folder_path(fs::path(scene).parent_path().string());
     if (!lies_in(beside, roots[0].folder))
@@ -132,6 +129,12 @@ FileNames::FileNames(const std::string& scene, const std::vector<std::string>& l
         roots[0].up = std::max(roots[0].up, steps);
         root->used = true;
     }
+    int number = 0;
+    for (const auto& [root, path] : searched)
+        if (root != 0 && roots[root].used) {
+            do roots[root].stored = fmt::format("library/{}", ++number);
+            while (taken(roots[root].stored));
+        }
     std::set<std::string> names;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         std::string name = of[i] ? of[i]->name_of(paths[i]) : "absolute/" + whole(paths[i]).relative_path().string();
