@@ -45,6 +45,8 @@ struct FileSettings {
     bool quick = false;  ///< PNG: not compressed, for a picture that nobody keeps
     /// Of what the picture is made from, kept in files of PNG and OpenEXR; empty: not known, or not all of it is there.
     std::string fingerprint = {};
+    /// What the picture is made of, packed; kept in files of PNG (a chunk) and OpenEXR (an attribute). Null: nothing.
+    std::shared_ptr<const std::string> carried = {};
     bool lasting = false;  ///< on the disk before it has its name, whatever the file system makes of that
 };
 

@@ -1,10 +1,9 @@
 #include "render/image/fingerprint_reader.h"
 
 #include "render/image/codecs/row_sink.h"
+#include "render/image/entries.h"
 
-#include <array>
 #include <cstdint>
-#include <fstream>
 #include <string_view>
 
 namespace image {
@@ -12,36 +11,6 @@ namespace image {
 namespace {
 
 constexpr std::uint32_t kLongest = 1 << 16;  // of an entry that may hold it
-
-/// Numbers and texts of a file, until it ends.
-class Entries {
-public:
-    explicit Entries(const std::string& path) : in_(path, std::ios::binary) {}
-    bool ended() const { return !in_; }
-    std::string bytes(std::size_t count)
-    {
-        std::string out(count, '\0');
-        in_.read(out.data(), static_cast<std::streamsize>(count));
-        return out;
-    }
-    std::string name()
-    {
-        std::string out;
-        std::getline(in_, out, '\0');
-        return out;
-    }
-    void skip(std::uint32_t count) { in_.seekg(count, std::ios::cur); }
-    std::uint32_t big_endian()
-    {
-        std::uint32_t out = 0;
-        for (const char c : bytes(4)) out = out << 8 | static_cast<std::uint8_t>(c);
-        return out;
-    }
-    std::uint32_t little_endian() { return __builtin_bswap32(big_endian()); }
-
-private:
-    std::ifstream in_;
-};
 
 std::optional<std::string> in_png(Entries& file)
 {

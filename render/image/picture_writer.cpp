@@ -1,6 +1,7 @@
 #include "render/image/picture_writer.h"
 
 #include "render/image/file_types.h"
+#include "render/image/base64.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
 #include "render/image/pixels/passing_failure.h"
@@ -73,7 +74,9 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
     const TypeFacts& type = facts(settings.type);
     Encoding encoding = settings.encoding;
     encoding.alpha = encoding.alpha && type.alpha;
-    FileShape shape{width, height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware, settings.fingerprint};
+    FileShape shape{
+        width,           height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware, settings.fingerprint,
+        settings.carried};
     if (type.linear_light) {
         const IoModule& module = loader.get();
         working_ = encoding.curves.working;
@@ -81,8 +84,13 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
         WriteRequest request{};
         request.format = type.format;
         request.linear_light = true;
-        const std::array<const char*, 3> attributes{kFingerprintKey, shape.fingerprint.c_str(), nullptr};
-        if (settings.type == FileType::OpenExr && !shape.fingerprint.empty()) request.attributes = attributes.data();
+        std::vector<const char*> attributes;
+        if (!shape.fingerprint.empty())
+            attributes.insert(attributes.end(), {kFingerprintKey, shape.fingerprint.c_str()});
+        const std::string carried = shape.carried ? base64(*shape.carried) : std::string();
+        if (shape.carried) attributes.insert(attributes.end(), {kCarriedKey, carried.c_str()});
+        attributes.push_back(nullptr);
+        if (settings.type == FileType::OpenExr) request.attributes = attributes.data();
         named([&] {
             auto writer = std::make_unique<IoWriter>(module, replacement_.temporary(), shape, request);
             levels_ = writer.get();

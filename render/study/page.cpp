@@ -1,5 +1,6 @@
 #include "render/study/page.h"
 
+#include "render/image/base64.h"
 #include "render/study/between_surfaces.h"
 #include "render/study/kinds.h"
 #include "render/study/plot.h"
@@ -32,25 +33,10 @@ code{background:#f5f5f5;padding:0 .25em;white-space:nowrap}
 </style></head><body>
 )";
 
-std::string base64(const std::string& bytes)
-{
-    static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
-        };
-        const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (int k = 0; k < 4; ++k)
-            out += i + static_cast<std::size_t>(k) > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63u];
-    }
-    return out;
-}
-
 std::string figure(const Shown& picture, const std::string& caption, const PngOf& png)
 {
     return fmt::format("<figure><img alt='' src='data:image/png;base64,{}'><figcaption>{}</figcaption></figure>\n",
-                       base64(png(picture)), escaped(caption));
+                       image::base64(png(picture)), escaped(caption));
 }
 
 /// What links to a scene's part end with: the name of its file, with a number where two are called alike.

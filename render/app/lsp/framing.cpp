@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <poll.h>
 #include <unistd.h>
+#include <utility>
 
 namespace app::lsp {
 namespace {
@@ -117,9 +118,41 @@ Input::What Input::next(std::string& body)
     }
 }
 
+std::optional<Input::What> Input::waiting_line(std::string& body)
+{
+    const std::size_t end = buffer_.find('\n', looked_);
+    if (end == std::string::npos) {
+        looked_ = buffer_.size();
+        if (buffer_.size() <= kLongest) return {};
+        passing_ = true;
+        std::string().swap(buffer_);
+        looked_ = 0;
+        return {};
+    }
+    body.assign(buffer_, 0, end);
+    if (body.ends_with('\r')) body.pop_back();
+    buffer_.erase(0, end + 1);
+    looked_ = 0;
+    if (!std::exchange(passing_, false)) return What::Message;
+    body.clear();
+    return What::TooLong;
+}
+
+Input::What Input::next_line(std::string& body)
+{
+    for (;;) {
+        if (const auto what = waiting_line(body)) return *what;
+        if (fill()) continue;
+        if (buffer_.empty()) return What::End;
+        buffer_ += '\n';  // a last line without its end
+    }
+}
+
 void Output::send(std::string_view body)
 {
-    const std::string message = fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body);
+    const std::string message = framing_ == Framing::Line
+                                    ? fmt::format("{}\n", body)
+                                    : fmt::format("Content-Length: {}\r\n\r\n{}", body.size(), body);
     const std::lock_guard lock(mutex_);
     for (std::string_view rest = message; !rest.empty() && !gone_;) {
         const ssize_t written = ::write(file_, rest.data(), rest.size());

@@ -1,6 +1,7 @@
 #include "render/app/lsp/server.h"
 
 #include "render/app/lsp/capabilities.h"
+#include "render/app/lsp/rpc.h"
 #include "render/app/lsp/uri.h"
 
 #include <algorithm>
@@ -30,11 +31,6 @@ constexpr std::array kRequests = {
     Request{"textDocument/formatting", formatting},
     Request{"textDocument/rangeFormatting", range_formatting},
 };
-
-json error_reply(const json& id, ErrorCode code, const std::string& text)
-{
-    return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", text}}}};
-}
 
 /// A file that others include and that need not stand alone.
 bool is_include_file(const std::string& path)
@@ -66,24 +62,12 @@ void Server::complain(ErrorCode code, const std::string& text) { send(error_repl
 
 bool Server::take(std::string_view text)
 {
-    const json message = guarded_json(text);
-    if (!message.is_object()) throw Refusal(ErrorCode::InvalidRequest, "a message has to be an object");
-    const auto id = message.find("id");
-    const bool has_id = id != message.end() && (id->is_string() || id->is_number_integer());
-    const auto method = message.find("method");
-    if (method == message.end() || !method->is_string()) {
-        if (message.contains("result") || message.contains("error")) return true;  // an answer: nothing was asked
-        throw Refusal(ErrorCode::InvalidRequest, "a message has to have a method");
-    }
-    const json none = json::object();
-    const auto given = message.find("params");
-    const json& parameters = given != message.end() && given->is_object() ? *given : none;
-    const std::string& name = method->get_ref<const std::string&>();
+    const RpcCall call = call_in(text);
+    if (call.method.empty() && !call.wants_answer) return true;  // an answer: nothing was asked
     const std::lock_guard lock(mutex_);
-    if (has_id) answer(*id, name, parameters);
-    else if (id != message.end()) throw Refusal(ErrorCode::InvalidRequest, "an id has to be a number or a text");
-    else if (name == "exit") return false;
-    else if (state_ == State::Running) notice(name, parameters);
+    if (call.wants_answer) answer(call.id, call.method, call.parameters);
+    else if (call.method == "exit") return false;
+    else if (state_ == State::Running) notice(call.method, call.parameters);
     return true;
 }
 
@@ -91,9 +75,7 @@ void Server::answer(const json& id, const std::string& method, const json& param
 {
     json reply;
     try {
-        json result = result_of(method, parameters);
-        reply = {{"jsonrpc", "2.0"}, {"id", id}};
-        reply["result"] = std::move(result);
+        reply = result_reply(id, result_of(method, parameters));
     } catch (const Refusal& refusal) {
         reply = error_reply(id, refusal.code, refusal.what());
     } catch (const std::exception& error) {

@@ -29,14 +29,18 @@ std::string as_value(const Option& option, const std::string& text)
 
 }  // namespace
 
+std::string ini_line(const Option& option, const std::string& text)
+{
+    return std::string(option.keyword) + "=" + as_value(option, text);
+}
+
 std::string effective_ini(const Settings& settings)
 {
     std::string ini;
     for (const Option& option : option_table()) {
         const auto given = settings.given.find(option.keyword);
         if (given == settings.given.end() || option.keyword == "Include_Ini") continue;
-        for (const std::string& text : given->second)
-            ini += std::string(option.keyword) + "=" + as_value(option, text) + "\n";
+        for (const std::string& text : given->second) ini += ini_line(option, text) + "\n";
     }
     return ini;
 }

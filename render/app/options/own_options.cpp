@@ -14,7 +14,10 @@ namespace {
 void set_dump(Settings& s, const std::string& value)
 {
     using Dump = Settings::Dump;
-    s.dump = value == "tokens" ? Dump::Tokens : value == "scene" ? Dump::Scene : Dump::Plan;
+    s.dump = value == "tokens"  ? Dump::Tokens
+             : value == "scene" ? Dump::Scene
+             : value == "plan"  ? Dump::Plan
+                                : Dump::Views;
 }
 
 void set_state_after(Settings& s, const std::string& value)
@@ -156,6 +159,13 @@ constexpr OwnOption kOwnOptions[] = {
      "find what the parts of a picture need of the whole, photons and radiosity, into PICTURE.whittle-prepared, and "
      "stop",
      [](Settings& s, const std::string&) { s.prepare = true; }},
+    {"views", "FILE or WORDS",
+     "pictures of many cameras, of a scene that is read and planned once: those of a file (JSON), or the scene's own "
+     "moved by quilt=8x6, stereo or turntable=36 (docs/tools/views.md); a size is that of one view",
+     [](Settings& s, const std::string& v) { s.views = v; }},
+    {"embed", "",
+     "the picture carries the scene's text, the files that it read and the options, for whittle open (PNG and OpenEXR)",
+     [](Settings& s, const std::string&) { s.embed = true; }},
     {"allow-write", "FOLDER",
      "a scene may write files below this folder too, besides the current one and the picture's",
      [](Settings& s, const std::string& v) { s.write_folders.push_back(v); }},
@@ -185,7 +195,7 @@ constexpr OwnOption kOwnOptions[] = {
      [](Settings& s, const std::string& v) { s.paths = v == "path"; }},
     {"denoise", "", "filter a picture of --integrator=path, guided by surfaces and by the variance of its pixels",
      [](Settings& s, const std::string&) { s.denoise = true; }},
-    {"dump", "tokens|scene|plan", "print what a stage made, and stop", set_dump},
+    {"dump", "tokens|scene|plan|views", "print what a stage made, and stop; views: the cameras of --views", set_dump},
     {"explain", "cost",
      "say where reading spent its time, what the plan kept, what it left out and why; with =cost also, of a sampled "
      "run, what each statement, light and texture costs and what that is left out would cost",
@@ -272,10 +282,12 @@ bool apply_own_option(Settings& settings, const std::string& word, const std::st
     if (option->value.empty()) {
         if (given) throw OptionError(name + " wants no value");
         option->apply(settings, {});
+        settings.given_own.push_back(name);
         return false;
     }
     if (!given && option->value_may_lack) {
         option->apply(settings, {});
+        settings.given_own.push_back(name);
         return false;
     }
     if (!given && !next) throw OptionError(name + " wants a value: " + std::string(option->value));
@@ -283,6 +295,7 @@ bool apply_own_option(Settings& settings, const std::string& word, const std::st
     if (value.empty() || !is_choice(*option, value) || (option->value_may_lack && value != option->value))
         throw OptionError(name + " wants " + std::string(option->value) + ", found '" + value + "'");
     option->apply(settings, value);
+    settings.given_own.push_back(name + "=" + value);
     return !given;
 }
 

@@ -85,6 +85,8 @@ struct Settings {
     double partial = 0.0;       ///< seconds between pictures of what is done, under the picture's name; 0: none
     int shard = 0, shards = 0;  ///< the part of so many that is rendered, from 1 on; 0: all of the picture
     bool prepare = false;       ///< only what the parts need of the whole
+    std::string views;          ///< of --views: a file of cameras, or words; empty: the scene's camera alone
+    bool embed = false;         ///< the picture carries what it was made of
     double state_after = 2.0;   ///< seconds of rendering before finished blocks are kept for +C
     bool dither = false;
     std::optional<image::Dither> dither_method;  ///< unset: as the POV-Ray that is drawn has it
@@ -108,7 +110,7 @@ struct Settings {
     ProgressLines progress = ProgressLines::None;
 
     // Whittle's own.
-    enum class Dump { None, Tokens, Scene, Plan } dump = Dump::None;
+    enum class Dump { None, Tokens, Scene, Plan, Views } dump = Dump::None;
     bool explain = false, parse_only = false;
     bool explain_cost = false;                  ///< with explain
     std::string layers;                         ///< of --aov, by name; empty: none
@@ -128,6 +130,7 @@ struct Settings {
 
     /// Values by keyword of the option table, as given last; of Library_Path and Declare all.
     std::map<std::string, std::vector<std::string>, std::less<>> given;
+    std::vector<std::string> given_own;     ///< Whittle's own options, as "--name" or "--name=value", in order
     std::vector<std::string> ini_files;     ///< read, in order
     std::vector<std::string> not_acted_on;  ///< options given that have no effect yet, for the note
     std::vector<std::string> notes;         ///< other remarks about INI files

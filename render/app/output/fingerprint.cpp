@@ -57,6 +57,7 @@ std::string options_text(const PictureSource& source)
     if (s.sampled())
         text += fmt::format("{} {} {} {} {} {} {} {} {} {}\n", s.samples, s.samples_error, s.error, s.time, s.seed,
                             s.paths, s.denoise, s.shutter, s.motion_samples, p.block_size);
+    if (!source.views.empty()) text += "views\n" + source.views;
     const image::Encoding& e = source.file.encoding;
     const bool lossy = source.file.type == image::FileType::Jpeg;
     return text + fmt::format("{} {} {} {} {} {} {} {}\n", static_cast<char>(source.file.type), e.bits, e.alpha,

@@ -18,6 +18,7 @@ struct PictureSource {
     const image::FileSettings& file;
     const parser::Result& parsed;             ///< its lists of files
     const std::optional<std::string>& typed;  ///< the scene's text, if it came from standard input
+    const std::string& views;                 ///< cameras in the place of the scene's own; empty: none
 };
 
 /// A number that differs, as good as surely, where two pictures may: of the options that change a pixel or its

@@ -1,6 +1,7 @@
 #include "render/app/picture/frame_render.h"
 
 #include "parser/parse.h"
+#include "render/app/embed/collect.h"
 #include "render/app/output/fingerprint.h"
 #include "render/app/output/output_name.h"
 #include "render/app/parts/block_file.h"
@@ -9,6 +10,7 @@
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/picture/picture_run.h"
+#include "render/app/picture/views_render.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/shell_commands.h"
@@ -140,13 +142,33 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
 }
 
 /// How the picture is written, and what it is made from.
-image::FileSettings fingerprinted(Run& run, const parser::Options& reading, const parser::Result& parsed)
+/// \param views  as text, empty where the scene's own camera makes it
+image::FileSettings fingerprinted(Run& run, const parser::Options& reading, const parser::Result& parsed,
+                                  const std::shared_ptr<const std::string>& carried, const std::string& views)
 {
     image::FileSettings file = file_settings(run.settings, parsed.scene);
+    file.carried = carried;
     const plan::Options planned = plan_options(run.settings);
-    file.fingerprint = fingerprint_text(fingerprint_of({run.settings, reading, planned, file, parsed, run.input}));
+    file.fingerprint =
+        fingerprint_text(fingerprint_of({run.settings, reading, planned, file, parsed, run.input, views}));
     run.reporter.made_from(file.fingerprint);
     return file;
+}
+
+/// Whether +C leaves the picture that is there.
+/// \param made_from  of that picture; nothing: there is none that tells
+bool is_done(Run& run, const std::string& path, const std::optional<std::string>& made_from,
+             const std::string& fingerprint)
+{
+    if (made_from == fingerprint) {
+        run.reporter.skipped(path);
+        return true;
+    }
+    if (made_from)
+        run.reporter.note(fmt::format("{} is of an older scene, of other options or of another version: it is rendered "
+                                      "anew",
+                                      path));
+    return false;
 }
 
 void refuse_warnings(const parser::Result& parsed)
@@ -167,7 +189,7 @@ int render_frame(Run& run, const Frame& frame)
     check_folder(settings, path);
     if (!settings.parse_only && settings.dump == Settings::Dump::None) check_fits(settings, path);
     if (!path.empty()) run.streams.open_files(settings, std::filesystem::path(path).parent_path().string());
-    const bool there = picture_there(settings, path);
+    const bool there = settings.views.empty() && picture_there(settings, path);
     const std::optional<std::string> made_from = !there                ? std::nullopt
                                                  : settings.shards > 0 ? whole_part(path)
                                                                        : image::fingerprint_in(path);
@@ -190,22 +212,33 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
 
-    const image::FileSettings file = fingerprinted(run, options, parsed);
-    if (made_from == file.fingerprint) {
-        run.reporter.skipped(path);
-        return kSuccess;
+    const auto carried = carried_of(run, frame, options, parsed);
+    const auto file_of = [&](const std::string& cameras) {
+        return fingerprinted(run, options, parsed, carried, cameras);
+    };
+    std::optional<image::FileSettings> file;
+    if (settings.views.empty()) {
+        file.emplace(file_of({}));
+        if (is_done(run, path, made_from, file->fingerprint)) return kSuccess;
     }
-    if (made_from)
-        run.reporter.note(fmt::format("{} is of an older scene, of other options or of another version: it is rendered "
-                                      "anew",
-                                      path));
     const LayersTask layers = layers_task(run, parsed.scene, path);
     for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
-    const plan::CompiledScene compiled =
-        plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings));
+    plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings));
     times.finish("plan");
     const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
-    return render_picture({run, last_resort, compiled, file, path, moment, moments(settings), layers}, times);
+    if (file)
+        return render_picture({run, last_resort, compiled, *file, path, moment, moments(settings), layers}, times);
+    const auto done = [&](const std::string& view, const std::string& fingerprint) {
+        if (!picture_there(settings, view)) return false;
+        const std::optional<std::string> of_view = image::fingerprint_in(view);
+        return is_done(run, view, of_view ? of_view : fingerprint,
+                       fingerprint);  // of one that tells nothing it is left
+    };
+    const ViewsTask views{run,    last_resort,       parsed.scene, compiled, path,
+                          moment, moments(settings), layers,       file_of,  done};
+    if (settings.dump != Settings::Dump::Views) return render_views(views, times);
+    print_views(views);
+    return kSuccess;
 }
 
 }  // namespace app

@@ -49,6 +49,7 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
         throw TryAgain("not enough memory is free for the samples of so large a picture");
     if (in_strips_ && !task.layers.kinds.empty())
         throw TryAgain("not enough memory is free for the layers of so large a picture");
+    if (in_strips_ && task.take) throw TryAgain("not enough memory is free for the views of so large a sheet");
     if (strip_ == 0) throw TryAgain("not enough memory is left for the picture");  // it was when the run began
     picture_.width = settings_.width;
     picture_.height = settings_.height;
@@ -224,7 +225,8 @@ bool PictureRun::trace(std::size_t first, std::size_t last)
 /// Rows above `end`, as far as they are not in the file. False: cancelled.
 bool PictureRun::write_rows(int end)
 {
-    if (!settings_.output_to_file) return true;
+    if (task_.take) task_.take(picture_);
+    if (!settings_.output_to_file || task_.take) return true;
     if (!writer_) {
         if (task_.path.empty()) streamed_.emplace(task_.file.type);
         writer_ = task_.run.files.start(streamed_ ? streamed_->path() : task_.path, settings_.width, settings_.height,

@@ -24,6 +24,8 @@ struct PictureTask {
     const std::function<std::unique_ptr<plan::CompiledScene>(int k)> moment = {};
     const int moments = 1;
     const LayersTask layers = {};
+    /// Given the whole picture, which then goes into no file; empty: it is written.
+    const std::function<void(const image::Image&)> take = {};
 };
 
 /// Returns the exit status; what was done is kept where it is cancelled. Throws for what ends the run.

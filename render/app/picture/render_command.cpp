@@ -11,6 +11,7 @@
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/run/written_journal.h"
+#include "render/app/views/views.h"
 #include "render/image/pixels/passing_failure.h"
 
 #include <fmt/format.h>
@@ -109,6 +110,15 @@ void refuse_part(const Settings& settings)
                           "part would have others");
 }
 
+void refuse_embedding(const Settings& settings)
+{
+    const image::FileType type = settings.file_type;
+    if (type != image::FileType::Png && type != image::FileType::OpenExr)
+        throw OptionError("--embed goes with PNG (+FN) and OpenEXR (+FE): other pictures have no room for a scene");
+    if (settings.shards > 0 || settings.prepare)
+        throw OptionError("--embed goes with whole pictures: parts of --shard become one without it");
+}
+
 }  // namespace
 
 int render_command(const Settings& settings, Cancellation& cancel, Remains& remains)
@@ -126,6 +136,10 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
     if (settings.greyscale && !image::stores_greyscale(settings.file_type))
         throw OptionError("this output file type stores no greyscale: use +FN or +FP");
     if (settings.shards > 0 || settings.prepare) refuse_part(settings);
+    if (!settings.views.empty()) refuse_views(settings);
+    if (settings.dump == Settings::Dump::Views && settings.views.empty())
+        throw OptionError("--dump=views prints the cameras of --views, which is not given");
+    if (settings.embed) refuse_embedding(settings);
     window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);

@@ -63,7 +63,10 @@ void Journal::rendered(const StageTimes& times, const trace::RenderStatistics& s
 
 void Journal::written(const std::string& path)
 {
-    frames_.back().written = true;
+    FrameRecord& frame = frames_.back();
+    frame.written = true;
+    frame.pictures.push_back({path, frame.fingerprint});
+    frame.picture = frame.pictures.front().path;
     speaker_.written(path);
 }
 
@@ -146,7 +149,18 @@ void Journal::put_frame(JsonWriter& json, const FrameRecord& frame) const
     json.key("picture");
     if (frame.written) json.text(frame.picture);
     else json.null();
-    if (!frame.fingerprint.empty()) json.key("fingerprint").text(frame.fingerprint);
+    if (frame.pictures.size() > 1) {
+        json.key("views").begin_array();
+        for (const Picture& view : frame.pictures) {
+            json.begin_object();
+            json.key("picture").text(view.path);
+            json.key("fingerprint").text(view.fingerprint);
+            json.end();
+        }
+        json.end();
+    } else if (!frame.fingerprint.empty()) {
+        json.key("fingerprint").text(frame.fingerprint);
+    }
     if (!frame.kept.state.empty()) json.key("state").text(frame.kept.state);
     if (!frame.kept.picture.empty()) json.key("partial").text(frame.kept.picture);
     json.key("phases").begin_object();

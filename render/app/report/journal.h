@@ -48,11 +48,15 @@ private:
         std::string name;
         double seconds, processor_seconds;  ///< till the next began; before that, when it began
     };
+    struct Picture {
+        std::string path, fingerprint;
+    };
     struct FrameRecord {
         int number = 0;
         double clock = 0.0;
         bool skipped = false, written = false;
         std::string scene, picture, fingerprint;
+        std::vector<Picture> pictures;  ///< more than one of --views
         Kept kept;
         parser::Statistics parser;
         std::vector<std::string> files;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -97,7 +98,7 @@ void ProgressTeller::progress(double share)
 
 void ProgressTeller::frame_done()
 {
-    ++done_;
+    done_ = std::min(done_ + 1, frames_);  // of one frame many views may be skipped
     tell(100.0 * static_cast<double>(done_) / static_cast<double>(frames_));
 }
 

@@ -1,9 +1,11 @@
 #include "render/app/editor/fmt_command.h"
 #include "render/app/editor/lint_command.h"
+#include "render/app/embed/open_command.h"
 #include "render/app/farm/farm_command.h"
 #include "render/app/farm/plan_command.h"
 #include "render/app/film/movie_command.h"
 #include "render/app/lsp/lsp_command.h"
+#include "render/app/mcp/mcp_command.h"
 #include "render/app/options/sub_commands.h"
 #include "render/app/pixel/pixel_command.h"
 #include "render/app/program.h"
@@ -27,7 +29,9 @@ constexpr std::array kCalled = {
     app::Called{"join", app::movie_help, app::movie_command},  // with --movie; of parts the renderer does it
     app::Called{"lint", app::lint_help, app::lint_command},
     app::Called{"lsp", app::lsp_help, app::lsp_command},
+    app::Called{"mcp", app::mcp_help, app::mcp_command},
     app::Called{"mesh", app::mesh_help, app::cancellable<app::mesh_command>},
+    app::Called{"open", app::open_help, app::open_command},
     app::Called{"pixel", app::pixel_help, app::cancellable<app::pixel_command>},
     app::Called{"plan", app::plan_help, app::cancellable<app::plan_command>},
     app::Called{"report", app::report_help, app::cancellable<app::report_command>},

@@ -14,7 +14,4 @@ namespace app {
 std::string block_event(int generation, int pass, const trace::Block& block, const image::Image& picture,
                         const image::Encoding& encoding);
 
-/// Bytes in base64 with padding (RFC 4648, section 4).
-std::string base64(const std::string& bytes);
-
 }  // namespace app

@@ -2,6 +2,7 @@
 
 #include "render/app/output/scratch_folder.h"
 #include "render/app/watch/block_event.h"
+#include "render/image/base64.h"
 #include "render/image/files.h"
 
 #include <fcntl.h>
@@ -78,7 +79,7 @@ void Comparison::show(const std::string& with, const std::string& path)
                 bytes += static_cast<char>(image::quantised(value, 8));
             }
     events_.push(EventLog::Kind::Compared, fmt::format(R"({{"with":"{}","W":{},"H":{},"c":3,"d":"{}"}})", with,
-                                                       picture.width, picture.height, base64(bytes)));
+                                                       picture.width, picture.height, image::base64(bytes)));
 }
 
 void Comparison::show_reference()

@@ -8,6 +8,7 @@
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
+#include "render/app/views/pivot.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
 
@@ -24,9 +25,7 @@ namespace {
 using nlohmann::json;
 using JobClock = std::chrono::steady_clock;
 
-constexpr double kNearestPivot = 1e-4;
 constexpr std::size_t kMostMessages = 200;  // that a page is told of one picture
-constexpr std::uint8_t kAnyRay = 0xff;
 
 double seconds_from(JobClock::time_point start)
 {
@@ -49,21 +48,6 @@ void gather(void* list, const scene::Message& message)
 {
     auto& messages = *static_cast<std::vector<scene::Message>*>(list);
     if (messages.size() < kMostMessages) messages.push_back(message);
-}
-
-/// From the eye to what the middle of the picture shows, or to the middle of the scene where it shows nothing.
-double pivot_distance(const plan::CompiledScene& compiled)
-{
-    const scene::Camera& camera = compiled.camera;
-    const double length = glm::length(camera.direction);
-    if (length == 0.0) return 1.0;
-    const csg::Ray ray{camera.location, camera.direction / length};
-    csg::Scratch scratch;
-    const csg::Hit hit = compiled.world().nearest(ray, kNearestPivot, csg::kInfinity, kAnyRay, scratch);
-    if (hit.found()) return hit.t;
-    const csg::Aabb& box = compiled.geometry.bvh.bounds;
-    const glm::dvec3 middle = box.finite() ? 0.5 * (box.lower + box.upper) : glm::dvec3(0.0);
-    return std::max(glm::length(middle - camera.location), kNearestPivot);
 }
 
 std::optional<double> number_in(const json& from, const char* name)

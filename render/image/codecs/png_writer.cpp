@@ -160,6 +160,8 @@ struct PngWriter::Encoder {
         chunk("sBIT", significant.data(), static_cast<std::size_t>(shape.channels));
         put_text("Software", shape.software);
         if (!shape.fingerprint.empty()) put_text(kFingerprintKey, shape.fingerprint);
+        if (shape.carried)
+            chunk(kCarriedChunk, reinterpret_cast<const std::uint8_t*>(shape.carried->data()), shape.carried->size());
     }
 
     void try_filter(std::uint8_t number, std::uint32_t& least, auto predict)

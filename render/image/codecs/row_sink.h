@@ -3,6 +3,7 @@
 #include "render/image/levels/transfer_curve.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace image {
 /// The name under which a picture keeps what it is made from: a text of PNG, an attribute of OpenEXR.
 inline constexpr const char* kFingerprintKey = "WhittleFingerprint";
 
+/// The same of what it carries (FileSettings::carried): a chunk of PNG, which programs that do not know it pass over
+/// and may copy (PNG specification, 2nd ed., 5.4), and an attribute of OpenEXR, which is text: in base64.
+inline constexpr const char* kCarriedChunk = "whSc";
+inline constexpr const char* kCarriedKey = "WhittleScene";
+
 /// What a file of rows has to know before the first.
 struct FileShape {
     int width = 0, height = 0, channels = 3;
@@ -18,6 +24,7 @@ struct FileShape {
     TransferCurve curve;  ///< that the values are stored with
     const char* software = "";
     std::string fingerprint = {};  ///< see FileSettings
+    std::shared_ptr<const std::string> carried = {};
 };
 
 /// A picture file that grows row by row, from the top. One that was not finished is of no use.

@@ -5,6 +5,7 @@
 #include "render/plan/geometry/geometry.h"
 #include "render/plan/sampling/path_scene.h"
 #include "render/plan/traits/find_traits.h"
+#include "render/plan/turn_camera.h"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,14 @@ void clear_air(CompiledScene& out)
                                  LeanStep::ClearAir});
 }
 
+/// What depends on where the camera stands, after all else.
+void follow_camera(CompiledScene& out)
+{
+    out.tolerance = tolerance(out);
+    find_camera_interiors(out);
+    out.traits = find_traits(out);
+}
+
 /// `planned` is called when no object is asked for any more.
 template <class Planned>
 CompiledScene compile_all(const scene::Description& description, const Options& options, int threads, Planned&& planned)
@@ -116,9 +125,7 @@ CompiledScene compile_all(const scene::Description& description, const Options& 
                                  {},
                                  LeanStep::BlackMedia});
     out.radiosity = radiosity(description, out);
-    out.tolerance = tolerance(out);
-    find_camera_interiors(out);
-    out.traits = find_traits(out);
+    follow_camera(out);
     for (const scene::Unsupported& note : notes)
         out.decisions.push_back({note.what, "not rendered yet", scene::place_text(description.place(note.source))});
     return out;
@@ -136,6 +143,17 @@ CompiledScene compile(scene::Description&& description, const Options& options, 
 {
     if (options.paths) prepare_for_paths(description);
     return compile_all(description, options, threads, [&] { description.objects.clear(); });
+}
+
+void turn_camera(CompiledScene& scene, const scene::Camera& camera)
+{
+    const scene::PovRay povray = scene.camera.povray;
+    scene.camera = camera;
+    scene.camera.povray = povray;
+    if (scene.options.free_sampling) free_lens(scene.camera);
+    scene.camera_interiors.clear();
+    scene.start_holders.clear();
+    follow_camera(scene);
 }
 
 std::string explain(const CompiledScene& scene)

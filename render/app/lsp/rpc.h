@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/app/lsp/guarded_json.h"
+
+#include <string>
+#include <string_view>
+
+/// JSON-RPC 2.0: what protocols of editors and of agents have in common.
+namespace app::lsp {
+
+/// A request or a notification.
+struct RpcCall {
+    json id;            ///< of a request: a number or a text
+    bool wants_answer;  ///< a notification does not
+    std::string method;
+    json parameters;  ///< an object, empty where none was given
+};
+
+/// What a message asks for; without a method: an answer, which nobody waits for. Throws Refusal.
+RpcCall call_in(std::string_view message);
+
+json result_reply(const json& id, json result);
+json error_reply(const json& id, ErrorCode code, const std::string& text);
+
+}  // namespace app::lsp
