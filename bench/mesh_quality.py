@@ -92,7 +92,9 @@ def traced(whittle, scene, folder, points, towards, reach):
     answers = np.loadtxt(folder / "answers.txt")[:, [0, 2, 1, 3, 5, 4]]
     gap = np.linalg.norm(answers[:, :3] - points, axis=1)
     gap[gap > 20 * reach] = np.nan
-    return gap, answers[:, 3:]
+    # trace() tells raw normals, and those of some solids look inward.
+    normals = answers[:, 3:]
+    return gap, np.where(np.sum(normals * towards, 1, keepdims=True) < 0, -normals, normals)
 
 
 def quality(whittle, scene, folder, tolerance, samples):
