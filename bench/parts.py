@@ -18,6 +18,8 @@ import zipfile
 
 import numpy as np
 
+import mesh_quality
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -121,11 +123,14 @@ def triangles_cross(s, t):
     return False
 
 
-def mesh2_text(vertices, triangles):
+def mesh2_text(vertices, triangles, normals=None):
     """As a scene has it: y and z back in their places."""
     v = vertices[:, [0, 2, 1]]
     out = ["mesh2 { vertex_vectors { %d" % len(v)]
     out += [", <%.9g, %.9g, %.9g>" % tuple(p) for p in v]
+    if normals is not None:
+        out += ["} normal_vectors { %d" % len(v)]
+        out += [", <%.9g, %.9g, %.9g>" % tuple(p) for p in normals[:, [0, 2, 1]]]
     out += ["} face_indices { %d" % len(triangles)]
     out += [", <%d, %d, %d>" % tuple(t) for t in triangles]
     return "\n".join(out + ["} }"])
@@ -136,15 +141,21 @@ def render_scene(whittle, scene, picture, folder):
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
 
 
-def draw(whittle, scene, parts, folder):
-    """The exact scene and the same with its meshes."""
+def draw(whittle, scene, ply, folder):
+    """The exact scene and the same with its meshes, whose normals are those of the file."""
     text = scene.read_text()
     head = text[:text.index("#declare Paint")]
     meshed = folder / (scene.stem + "_mesh.pov")
+    table, triangles = mesh_quality.read_ply(ply)
+    vertices = mesh_quality.vectors(table, "xyz")
+    normals = mesh_quality.vectors(table, ("nx", "ny", "nz")) if "nx" in table.dtype.names else None
+    colors = mesh_quality.vectors(table, ("red", "green", "blue"))
     body = ""
-    for _, color, v, t in parts:
-        rgb = [int(color[k:k + 2], 16) / 255 for k in (1, 3, 5)]
-        body += "object { %s pigment { srgb <%g, %g, %g> } finish { ambient 0.1 diffuse 0.9 } }\n" % (mesh2_text(v, t), *rgb)
+    for color in np.unique(colors, axis=0):
+        own = triangles[np.all(colors[triangles[:, 0]] == color, 1)]
+        used, t = np.unique(own, return_inverse=True)
+        body += "object { %s pigment { srgb <%g, %g, %g> } finish { ambient 0.1 diffuse 0.9 } }\n" % (
+            mesh2_text(vertices[used], t.reshape(-1, 3), None if normals is None else normals[used]), *(color / 255))
     meshed.write_text(head + body)
     pictures = []
     for source, name in ((scene, scene.stem + "_exact.png"), (meshed, scene.stem + "_mesh.png")):
@@ -215,7 +226,10 @@ def main():
                          f"{100 * (own / by_rays - 1):+.3f} % | {max(off):.4f} | {seconds:.1f} | "
                          f"{'passed' if not troubles else 'FAILED'} |")
             if options.sheet:
-                rows.append((scene.stem, draw(options.whittle, scene, parts, options.out)))
+                ply = options.out / f"{scene.stem}.ply"
+                subprocess.run([options.whittle, "mesh", str(scene), "-o", str(ply), f"--tolerance={options.tolerance}"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
+                rows.append((scene.stem, draw(options.whittle, scene, ply, options.out)))
         print(f"{scene.stem:10} {'ok' if not troubles else 'FAILED'}  {seconds:.1f} s  off {max(off, default=0):.4g}")
         for trouble in troubles:
             print("   ", trouble)
