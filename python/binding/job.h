@@ -33,8 +33,8 @@ private:
     std::exception_ptr failed_;
 };
 
-/// Runs the work without the interpreter, and returns or throws as it does. KeyboardInterrupt, or what a look throws, sets
-/// Job::cancel and is thrown; work that does not end soon after is left behind, so it owns whatever it uses.
+/// Runs the work without the interpreter, and returns or throws as it does. KeyboardInterrupt, or what a look throws,
+/// sets Job::cancel and is thrown; work that does not end soon after is left behind, so it owns whatever it uses.
 void wait_for(const std::shared_ptr<Job>& job, std::function<void()> work);
 
 /// The same for work that has a result, which is moved from where the work left it.

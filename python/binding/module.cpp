@@ -29,8 +29,8 @@ void find_modules()
     const std::filesystem::path file = std::filesystem::canonical(info.dli_fname, failed);
     if (failed) return;
     const std::filesystem::path folder = file.parent_path();
-    image::look_for_modules_in({folder, (folder / WHITTLE_MODULES_FROM_PACKAGE).lexically_normal(),
-                                folder.parent_path().parent_path()});
+    image::look_for_modules_in(
+        {folder, (folder / WHITTLE_MODULES_FROM_PACKAGE).lexically_normal(), folder.parent_path().parent_path()});
 }
 
 /// An array over the picture's own memory, which lives as long as the array does.
@@ -65,8 +65,8 @@ py::dict layers(const SharedPicture& p)
     const py::ssize_t width = all.width, height = p->image.height, size = sizeof(float),
                       count = static_cast<py::ssize_t>(all.names.size());
     for (py::ssize_t i = 0; i < count; ++i)
-        out[py::str(all.names[static_cast<std::size_t>(i)])] = view(
-            p, {height, width}, {width * count * size, count * size}, all.values.data() + i);
+        out[py::str(all.names[static_cast<std::size_t>(i)])] =
+            view(p, {height, width}, {width * count * size, count * size}, all.values.data() + i);
     return out;
 }
 

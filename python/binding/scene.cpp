@@ -42,8 +42,8 @@ Source::Looks Source::looks_of(const parser::Options& o)
         for (const std::string& folder : *folders) looks.always += folder + "\n";
     for (const auto& [name, value] : o.declared_numbers) looks.always += fmt::format("{}={}\n", name, value);
     for (const auto& [name, value] : o.declared_strings) looks.always += fmt::format("{}=\"{}\"\n", name, value);
-    looks.always += fmt::format("{} {} {} {} {}\n", o.version, o.version_given, o.povray ? static_cast<int>(*o.povray) : -1,
-                                o.include_header, o.restrict_read);
+    looks.always += fmt::format("{} {} {} {} {}\n", o.version, o.version_given,
+                                o.povray ? static_cast<int>(*o.povray) : -1, o.include_header, o.restrict_read);
     looks.size = fmt::format("{} {}", o.image_width, o.image_height);
     looks.clock = fmt::format("{} {} {} {} {} {} {} {}", o.clock, o.clock_on, o.frame_number, o.initial_frame,
                               o.final_frame, o.clock_delta, o.initial_clock, o.final_clock);
@@ -74,8 +74,9 @@ Source::Read Source::read(const app::Settings& settings, const std::atomic<bool>
     const app::SceneReading reading(settings, cancel);
     Looks looks = looks_of(reading.options);
     if (still_right(looks)) return read_;
-    read_ = std::make_shared<const parser::Result>(text_ ? parser::parse_text(*text_, kName, reading.options)
-                                                         : parser::parse_file(app::find_scene(settings), reading.options));
+    read_ =
+        std::make_shared<const parser::Result>(text_ ? parser::parse_text(*text_, kName, reading.options)
+                                                     : parser::parse_file(app::find_scene(settings), reading.options));
     looks_ = std::move(looks);
     // A camera has the picture's shape by itself in 3.8.
     looks_at_size_ = read_->scene.povray == scene::PovRay::V38 || mentions({"image_width", "image_height"});
@@ -93,11 +94,22 @@ scene::Camera camera_of(const std::string& text, const app::Settings& settings, 
     return parser::parse_text(text, "camera", reading.options).scene.camera;
 }
 
+std::vector<layers::Kind> kinds_of(const std::string& names)
+{
+    if (names.empty()) return {};
+    try {
+        return layers::kinds_of(names);
+    } catch (const std::runtime_error& error) {
+        throw app::OptionError(error.what());
+    }
+}
+
 /// One picture on its way.
 class Render {
 public:
     Render(Source& source, const Request& request, Job& job)
-        : source_(source), request_(request), job_(job), settings_(settings_of(request.words))
+        : source_(source), request_(request), job_(job), settings_(settings_of(request.words)),
+          kinds_(kinds_of(request.layers))
     {}
 
     std::shared_ptr<Picture> picture()
@@ -128,7 +140,7 @@ public:
             };
         const trace::RenderStatistics statistics = app::draw_still(task, out->image);
         if (statistics.cancelled) throw parser::Cancelled();
-        if (!request_.layers.empty()) add_layers(*out, *read, compiled);
+        if (!kinds_.empty()) add_layers(*out, *read, compiled);
         out->seconds = statistics.seconds_trace;
         out->isa = statistics.isa;
         return out;
@@ -162,9 +174,8 @@ private:
         };
         const std::vector<std::string> names = layers::object_names(read.scene, text_of);
         const bool many = compiled.options.antialiasing.method != 0 || settings_.sampled();
-        out.layers =
-            layers::make_layers(compiled, layers::kinds_of(request_.layers), names,
-                                app::render_options(settings_, job_.cancel), many, {0, settings_.height});
+        out.layers = layers::make_layers(compiled, kinds_, names, app::render_options(settings_, job_.cancel), many,
+                                         {0, settings_.height});
         if (!out.layers) throw parser::Cancelled();
     }
 
@@ -172,6 +183,7 @@ private:
     const Request& request_;
     Job& job_;
     const app::Settings settings_;
+    const std::vector<layers::Kind> kinds_;
 };
 
 }  // namespace

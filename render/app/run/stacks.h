@@ -9,9 +9,8 @@ namespace app {
 /// smaller, and so do the nests that the plan accepts. Call once, before other threads begin.
 void deepen_stacks();
 
-/// The same for one piece of work, in a process whose other threads are not ours to change: on a thread of its own, which
-/// nobody waits for. Throws std::system_error where none can begin.
-/// \param work throws nothing
+/// The same for one piece of work, in a process whose other threads are not ours to change: on a thread of its own,
+/// which nobody waits for. Throws std::system_error where none can begin. \param work throws nothing
 void start_on_deep_stack(std::function<void()> work);
 
 }  // namespace app

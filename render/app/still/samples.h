@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// A picture of many samples, pass after pass, moment after moment, as --samples, --error, --time, --integrator=path and
-/// Shutter ask for it.
+/// A picture of many samples, pass after pass, moment after moment, as --samples, --error, --time, --integrator=path
+/// and Shutter ask for it.
 struct SampledTask {
     const Settings& settings;
     const plan::CompiledScene& scene;  ///< at moment 0

@@ -17,8 +17,8 @@ struct StillTask {
     double seconds_before = 0.0;  ///< that reading and planning took
     const std::atomic<bool>& cancel;
     std::function<void(const std::string&)> note;  ///< told of what a user should know
-    /// Shown what there is, now and then, from any thread but never two at once; empty: nobody looks. Before the picture
-    /// itself come coarse ones, which take a tenth of its time.
+    /// Shown what there is, now and then, from any thread but never two at once; empty: nobody looks. Before the
+    /// picture itself come coarse ones, which take a tenth of its time.
     std::function<void(const image::Image&)> preview = {};
 };
 
