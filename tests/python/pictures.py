@@ -35,7 +35,7 @@ def by_program(folder, scene, *words):
     """The file that the command line makes."""
     out = os.path.join(folder, "program.png")
     given = scene if isinstance(scene, str) and "{" in scene else None
-    command = [PROGRAM, *words, "-" if given else os.fspath(scene), f"Output_File_Name={out}"]
+    command = [PROGRAM, *words, "+I-" if given else os.fspath(scene), f"Output_File_Name={out}"]
     subprocess.run(command, input=given, text=True, check=True, capture_output=True, timeout=60)
     with open(out, "rb") as file:
         return file.read()
@@ -82,9 +82,9 @@ class Pictures(unittest.TestCase):
         self.assertEqual(seen[0].light.shape, (150, 200, 4))
 
     def test_constants_are_declared_as_on_the_command_line(self):
-        text = "background { rgb <Level, 0, 0> } #debug Name"
+        text = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <Level, 0, 0> } #debug Name"
         picture = whittle.render(text, width=2, height=2, Level=0.123456789, Name="a 'b' c")
-        self.assertEqual([m.text for m in picture.messages], ["a 'b' c"])
+        self.assertEqual([m.text for m in picture.messages if m.severity == "debug"], ["a 'b' c"])
         self.assertAlmostEqual(float(picture.linear[0, 0, 0]), 0.123457, places=7)
 
     def test_arrays_are_views(self):
@@ -133,7 +133,7 @@ class Pictures(unittest.TestCase):
             scene.render(width=32, height=24, Other=1)
 
     def test_clock_and_size_reach_the_text(self):
-        scene = whittle.Scene("background { rgb <clock, image_width / 100, 0> }")
+        scene = whittle.Scene("#version 3.7; global_settings { assumed_gamma 1 } background { rgb <clock, image_width / 100, 0> }")
         for clock, width in [(0, 10), (1, 10), (1, 50), (0.5, 50)]:
             light = scene.render(width=width, height=4, clock=clock).linear[0, 0]
             self.assertEqual([round(float(v), 6) for v in light], [clock, width / 100, 0])

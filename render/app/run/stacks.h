@@ -10,7 +10,7 @@ namespace app {
 void deepen_stacks();
 
 /// The same for one piece of work, in a process whose other threads are not ours to change: on a thread of its own,
-/// which nobody waits for. Throws std::system_error where none can begin. \param work throws nothing
+/// which nobody waits for. Throws std::system_error where none can begin. What the work throws ends the process.
 void start_on_deep_stack(std::function<void()> work);
 
 }  // namespace app
