@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/app/run/cancellation.h"
+
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -14,7 +16,8 @@ namespace python {
 /// A call from Python that works on a thread of its own while the interpreter is free.
 class Job {
 public:
-    std::atomic<bool> cancel{false};  ///< set by KeyboardInterrupt
+    app::Cancellation cancellation;  ///< requested by KeyboardInterrupt
+    std::atomic<bool>& cancel = cancellation.requested;
 
     /// From the work: something to look at. What nobody has looked at is replaced.
     void show(std::function<void()> look)

@@ -1,5 +1,8 @@
+#include "python/binding/arrays.h"
+#include "python/binding/comparing.h"
 #include "python/binding/errors.h"
 #include "python/binding/scene.h"
+#include "python/binding/solid_answers.h"
 #include "render/image/codecs/module_path.h"
 
 #include <pybind11/functional.h>
@@ -33,27 +36,17 @@ void find_modules()
         {folder, (folder / WHITTLE_MODULES_FROM_PACKAGE).lexically_normal(), folder.parent_path().parent_path()});
 }
 
-/// An array over the picture's own memory, which lives as long as the array does.
-template <class T>
-py::array view(const SharedPicture& picture, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
-               const T* first)
-{
-    py::array out(py::dtype::of<T>(), std::move(shape), std::move(strides), first, py::cast(picture));
-    out.attr("setflags")(py::arg("write") = false);
-    return out;
-}
-
 py::array light(const SharedPicture& p)
 {
     const py::ssize_t width = p->image.width, height = p->image.height, size = sizeof(float);
-    return view(p, {height, width, 4}, {4 * width * size, 4 * size, size}, p->light());
+    return view({height, width, 4}, {4 * width * size, 4 * size, size}, p->light(), py::cast(p));
 }
 
 py::array levels(const SharedPicture& p)
 {
     const py::ssize_t width = p->image.width, height = p->image.height, channels = p->channels();
-    if (!p->deep()) return view(p, {height, width, channels}, {width * channels, channels, 1}, p->bytes());
-    return view(p, {height, width, channels}, {2 * width * channels, 2 * channels, 2}, p->levels());
+    if (!p->deep()) return view({height, width, channels}, {width * channels, channels, 1}, p->bytes(), py::cast(p));
+    return view({height, width, channels}, {2 * width * channels, 2 * channels, 2}, p->levels(), py::cast(p));
 }
 
 /// Channels by name, each an array over the memory of all of them.
@@ -66,7 +59,7 @@ py::dict layers(const SharedPicture& p)
                       count = static_cast<py::ssize_t>(all.names.size());
     for (py::ssize_t i = 0; i < count; ++i)
         out[py::str(all.names[static_cast<std::size_t>(i)])] =
-            view(p, {height, width}, {width * count * size, count * size}, all.values.data() + i);
+            view({height, width}, {width * count * size, count * size}, all.values.data() + i, py::cast(p));
     return out;
 }
 
@@ -104,6 +97,8 @@ PYBIND11_MODULE(_whittle, m)
         .def(py::init<std::optional<std::string>>())
         .def("read", &read_words)
         .def("render", &render_words);
+    add_solid_answers(m);
+    add_comparison(m);
 }
 
 }  // namespace python

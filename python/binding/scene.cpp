@@ -35,6 +35,11 @@ app::Settings settings_of(const Words& words)
     return settings;
 }
 
+std::string Source::text_of(const std::string& file) const
+{
+    return text_ && file == kName ? *text_ : app::text_on_disk(file).value_or("");
+}
+
 Source::Looks Source::looks_of(const parser::Options& o)
 {
     Looks looks;
@@ -169,10 +174,8 @@ private:
 
     void add_layers(Picture& out, const parser::Result& read, const plan::CompiledScene& compiled) const
     {
-        const auto text_of = [this](const std::string& file) {
-            return source_.text() && file == kName ? *source_.text() : app::text_on_disk(file).value_or("");
-        };
-        const std::vector<std::string> names = layers::object_names(read.scene, text_of);
+        const std::vector<std::string> names =
+            layers::object_names(read.scene, [this](const std::string& file) { return source_.text_of(file); });
         const bool many = compiled.options.antialiasing.method != 0 || settings_.sampled();
         out.layers = layers::make_layers(compiled, kinds_, names, app::render_options(settings_, job_.cancel), many,
                                          {0, settings_.height});

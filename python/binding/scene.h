@@ -34,6 +34,8 @@ public:
     /// May be asked from any thread. Throws scene::Error, parser::Cancelled.
     Read read(const app::Settings& settings, const std::atomic<bool>& cancel);
     const std::optional<std::string>& text() const { return text_; }
+    /// Of a file that messages name; empty where it cannot be read.
+    std::string text_of(const std::string& file) const;
 
 private:
     /// What a scene may look at, as text: its words, and what they are found by.

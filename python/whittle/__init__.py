@@ -7,8 +7,22 @@ In a notebook the last expression of a cell is shown. Pictures are numpy arrays 
 `Picture.pixels`). See docs/tools/python.md.
 """
 
+from ._compare import Comparison, compare
 from ._messages import Message, SceneError
 from ._picture import Picture
 from ._scene import Scene, render
+from ._solids import Measures, Mesh, Section, Spans
 
-__all__ = ["Message", "Picture", "Scene", "SceneError", "render"]
+__all__ = [
+    "Comparison",
+    "Measures",
+    "Mesh",
+    "Message",
+    "Picture",
+    "Scene",
+    "SceneError",
+    "Section",
+    "Spans",
+    "compare",
+    "render",
+]

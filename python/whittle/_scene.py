@@ -7,6 +7,7 @@ from typing import Any, Dict, List, Optional, Sequence, Union
 from . import _jupyter, _whittle
 from ._messages import Message
 from ._picture import Picture
+from ._solids import Measures, Mesh, Section, Spans
 from ._words import Antialias, Text, declared, picture_words, source_of
 
 Camera = Union[None, str, Dict[str, Any]]
@@ -91,6 +92,72 @@ class Scene:
                 self._options + [str(word) for word in options], words, camera_text(camera), named, look
             )
         return Picture(made)
+
+    def info(self, *, object: str = "", precision: float = 2e-4) -> List[Measures]:
+        """Extent, volume, surface, centre and inertia of each object, or of the one with that name, as `whittle info` has
+        them. precision: share of volume and surface that they may be off by.
+
+        >>> import whittle
+        >>> [ball] = whittle.Scene("#declare Ball = sphere { 0, 2 } object { Ball }").info()
+        >>> ball.name, abs(ball.volume - 33.510321638) < ball.volume_error < 0.01
+        ('Ball', True)
+        """
+        return [
+            Measures(**one) for one in _whittle.measure(self._source, self._options, self._exact, object, precision)
+        ]
+
+    def mesh(
+        self, tolerance: float = 0.01, *, object: str = "", cells: int = 16, seconds: float = 60.0
+    ) -> List[Mesh]:
+        """Each object, or the one with that name, as closed triangles that are off by no more than `tolerance` scene units;
+        what that takes beyond `seconds` of an object is left, and `Mesh.problem` says so. cells: of the first lattice along
+        the longest side, 4 to 128: narrower parts may be overlooked.
+
+        >>> import whittle
+        >>> [ball] = whittle.Scene("sphere { 0, 1 }").mesh(0.05)
+        >>> ball.vertices.dtype, ball.faces.dtype, bool(abs((ball.vertices**2).sum(axis=1) - 1).max() < 0.1)
+        (dtype('float32'), dtype('uint32'), True)
+        """
+        if not tolerance > 0:
+            raise ValueError("a tolerance is above 0")
+        if not 4 <= cells <= 128:
+            raise ValueError("a lattice has 4 to 128 cells")
+        return [
+            Mesh(**one)
+            for one in _whittle.mesh(self._source, self._options, self._exact, object, tolerance, cells, seconds)
+        ]
+
+    def section(
+        self, axis: str, value: float, *, tolerance: float = 0.01, object: str = "", seconds: float = 60.0
+    ) -> List[Section]:
+        """What the plane in which `axis` ("x", "y" or "z") has that value cuts of each object, as `whittle info --section`
+        draws it.
+
+        >>> import whittle
+        >>> [disc] = whittle.Scene("sphere { 0, 1 }").section("y", 0.6)
+        >>> len(disc.loops), round(disc.area, 2)
+        (1, 2.01)
+        """
+        if axis not in ("x", "y", "z"):
+            raise ValueError(f"an axis is x, y or z, not '{axis}'")
+        if not tolerance > 0:
+            raise ValueError("a tolerance is above 0")
+        cut = _whittle.section(
+            self._source, self._options, self._exact, object, "xyz".index(axis), float(value), tolerance, seconds
+        )
+        return [Section(**one) for one in cut]
+
+    def spans(self, origins: Any, directions: Any, *, object: str = "") -> Spans:
+        """Where rays are inside of each object, or of the one with that name. origins, directions: arrays of shape (n, 3),
+        scene units; directions of any length but 0. 10^6 rays in one call go to all cores.
+
+        >>> import whittle
+        >>> tube = whittle.Scene("difference { cylinder { 0, y, 2 } cylinder { -y, 2*y, 1 } }")
+        >>> found = tube.spans([[-5, 0.5, 0], [-5, 9, 0]], [[1, 0, 0], [1, 0, 0]])
+        >>> found[0].round(6).tolist(), len(found[1])
+        ([[3.0, 4.0], [6.0, 7.0]], 0)
+        """
+        return Spans(*_whittle.spans(self._source, self._options, self._exact, object, origins, directions))
 
 
 def render(
