@@ -130,6 +130,7 @@ public:
         const auto note = [&](const std::string& text) {
             out->messages.push_back({scene::Severity::Note, text, {}, {}, {}, {}});
         };
+        for (const std::string& told : settings_.notes) note(told);
         for (const std::string& missing : plan::functions_without_number(read->scene)) note(missing);
         plan::CompiledScene compiled = planned(read->scene);
         const std::chrono::duration<double> before = Clock::now() - start;
