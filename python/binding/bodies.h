@@ -61,7 +61,18 @@ struct Spans {
     std::vector<std::string> names;
 };
 
-/// \param rays  origin and direction of each, six numbers; directions of any length but 0
-std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked& asked, std::vector<csg::Ray> rays);
+/// Three numbers a ray in each; directions of any length but 0.
+struct Rays {
+    std::vector<double> origins, directions;
+    std::size_t size() const { return origins.size() / 3; }
+    csg::Ray operator[](std::size_t i) const
+    {
+        const double *o = &origins[3 * i], *d = &directions[3 * i];
+        return {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}};
+    }
+};
+
+/// Throws app::OptionError for a ray that is none.
+std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked& asked, Rays rays);
 
 }  // namespace python

@@ -96,7 +96,10 @@ scene::Camera camera_of(const std::string& text, const app::Settings& settings, 
 {
     app::SceneReading reading(settings, cancel);
     if (!reading.options.povray) reading.options.povray = of.povray;
-    return parser::parse_text(text, "camera", reading.options).scene.camera;
+    const scene::Description alone = parser::parse_text(text, "camera", reading.options).scene;
+    if (text.find("camera") == std::string::npos || !alone.objects.empty())
+        throw app::OptionError("a camera is a block camera { ... } and nothing else");
+    return alone.camera;
 }
 
 std::vector<layers::Kind> kinds_of(const std::string& names)
@@ -120,6 +123,7 @@ public:
     std::shared_ptr<Picture> picture()
     {
         const auto start = Clock::now();
+        app::refuse_contradictions(settings_);
         if (settings_.shutter > 0.0) throw app::OptionError("Shutter is for the command line alone");
         const Source::Read read = source_.read(settings_, job_.cancel);
         auto out = std::make_shared<Picture>();

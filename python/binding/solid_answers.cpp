@@ -79,22 +79,13 @@ py::list sections(const SharedSource& source, const Strings& options, const Stri
     return out;
 }
 
-std::vector<csg::Ray> rays_of(const Rows& origins, const Rows& directions)
+Rays rays_of(const Rows& origins, const Rows& directions)
 {
     const auto rows = [](const Rows& of) { return of.ndim() == 2 && of.shape(1) == 3 ? of.shape(0) : -1; };
-    const py::ssize_t count = rows(origins);
-    if (count < 0 || rows(directions) != count)
+    if (rows(origins) < 0 || rows(directions) != rows(origins))
         throw py::value_error("origins and directions are arrays of one shape, (n, 3)");
-    std::vector<csg::Ray> rays(static_cast<std::size_t>(count));
-    const auto o = origins.unchecked<2>(), d = directions.unchecked<2>();
-    for (py::ssize_t i = 0; i < count; ++i) {
-        csg::Ray& ray = rays[static_cast<std::size_t>(i)];
-        ray = {{o(i, 0), o(i, 1), o(i, 2)}, {d(i, 0), d(i, 1), d(i, 2)}};
-        const double length = glm::length(ray.direction);
-        if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(ray.origin)))
-            throw py::value_error("ray " + std::to_string(i) + " has no direction or is no number");
-    }
-    return rays;
+    return {{origins.data(), origins.data() + origins.size()},
+            {directions.data(), directions.data() + directions.size()}};
 }
 
 py::tuple ray_spans(const SharedSource& source, const Strings& options, const Strings& exact, const std::string& object,

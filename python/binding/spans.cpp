@@ -2,10 +2,12 @@
 #include "python/binding/scene_bodies.h"
 #include "render/app/run/allocation.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace python {
 namespace {
@@ -42,14 +44,17 @@ struct Run {
     std::vector<std::int32_t> object;
 };
 
-Run run_of(const std::vector<Target>& targets, const std::vector<csg::Ray>& rays, std::size_t from, std::size_t to)
+Run run_of(const std::vector<Target>& targets, const Rays& rays, std::size_t from, std::size_t to)
 {
     Run out;
     std::vector<solid::Chord> chords;
     for (std::size_t i = from; i < to; ++i) {
         const std::size_t before = out.ends.size();
-        const double length = glm::length(rays[i].direction);
-        const csg::Ray ray{rays[i].origin, rays[i].direction / length};
+        const csg::Ray given = rays[i];
+        const double length = glm::length(given.direction);
+        if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(given.origin)))
+            throw app::OptionError(fmt::format("ray {} has no direction or is no number", i));
+        const csg::Ray ray{given.origin, given.direction / length};
         for (std::size_t k = 0; k < targets.size(); ++k) {
             const auto [first, last] = in_box(targets[k].box, ray);
             if (!(first <= last) || last < 0.0) continue;
@@ -85,7 +90,7 @@ std::shared_ptr<Spans> joined(const std::vector<Run>& runs, std::size_t rays)
 
 }  // namespace
 
-std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked& asked, std::vector<csg::Ray> rays)
+std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked& asked, Rays rays)
 {
     return result_of<std::shared_ptr<Spans>>([source, asked, rays = std::move(rays)](Job& job) {
         const SceneBodies bodies(*source, asked, job.cancel);

@@ -102,6 +102,8 @@ class Scene:
         >>> ball.name, abs(ball.volume - 33.510321638) < ball.volume_error < 0.01
         ('Ball', True)
         """
+        if not precision > 0:
+            raise ValueError("a precision is above 0")
         return [
             Measures(**one) for one in _whittle.measure(self._source, self._options, self._exact, object, precision)
         ]

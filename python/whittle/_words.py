@@ -49,6 +49,8 @@ def picture_words(
     if antialias is not None:
         words.append(f"Antialias={'off' if antialias is False else 'on'}")
         if not isinstance(antialias, bool):
+            if not 0 <= antialias <= 3:
+                raise ValueError(f"antialias is True, False or a threshold from 0 to 3, not {antialias!r}")
             words.append(f"Antialias_Threshold={float(antialias)!r}")
     if quality is not None:
         words.append(f"Quality={int(quality)}")

@@ -116,8 +116,21 @@ class Pictures(unittest.TestCase):
             whittle.render("no_such_scene.pov")
         with self.assertRaises(ValueError):
             whittle.render(BALL, options=["--no-such-option"])
-        with self.assertRaises(ValueError):
-            whittle.render(BALL, layers="depht")
+        for wrong in (
+            {"layers": "depht"},
+            {"width": 0},
+            {"width": 10**9, "height": 10**9},
+            {"antialias": float("nan")},
+            {"camera": "sphere { 0, 1 }"},
+            {"options": ["--denoise"]},
+            {"options": ["Shutter=0.5"]},
+        ):
+            with self.subTest(wrong=wrong), self.assertRaises(ValueError):
+                whittle.render(BALL, **wrong)
+        with self.assertRaises(whittle.SceneError):
+            whittle.render(BALL, camera="camera { location")
+        with self.assertRaises(OSError):
+            whittle.render(BALL, width=8, height=6).save("/no/such/folder/x.png")
 
     def test_a_scene_is_read_again_only_where_it_has_to(self):
         counted = os.path.join(self.folder, "scene.pov")

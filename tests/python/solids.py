@@ -3,9 +3,11 @@
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -108,6 +110,22 @@ class Solids(unittest.TestCase):
         inside = numpy.abs(numpy.hypot(origins[:, 0] - 10, origins[:, 2]) - 1.5) < 0.5 - 1e-6
         washer = found.names.index("Washer")
         self.assertEqual(int((found.object == washer).sum()), int(inside.sum()))
+
+    def test_an_interrupt_ends_long_questions(self):
+        many = numpy.tile([[0.0, 9.0, 0.0]], (3_000_000, 1))
+        down = numpy.broadcast_to([0.0, -1.0, 0.0], many.shape)
+        rings = whittle.Scene("union {" + "".join(f"torus {{ {i / 40 + 0.1}, 0.1 }}" for i in range(200)) + "}")
+        for ask in (
+            lambda: self.scene.mesh(1e-5, object="Washer"),
+            lambda: self.scene.info(precision=1e-9),
+            lambda: rings.spans(many, down),
+        ):
+            asked = threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT))
+            start = time.monotonic()
+            asked.start()
+            with self.assertRaises(KeyboardInterrupt):
+                ask()
+            self.assertLess(time.monotonic() - start, 0.9)
 
     def test_what_cannot_be_is_said(self):
         with self.assertRaisesRegex(ValueError, "Ball"):
