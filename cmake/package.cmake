@@ -13,7 +13,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # what the program and its modules are linked with, by dpkg-shlibdeps
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS povray-includes)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS povray)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "povray, python3-numpy")  # numpy: for the Python package
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst ${PROJECT_SOURCE_DIR}/packaging/prerm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # `cmake --install` and cpack take what was built: tests need not be.

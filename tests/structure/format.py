@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-FOLDERS = ("numbers", "csg", "function", "language", "parser", "render", "tests", "bench")
+FOLDERS = ("numbers", "csg", "function", "language", "parser", "render", "python", "tests", "bench")
 NOT_RUN = 77
 AT_ONCE = 40   # files a call
 

@@ -149,7 +149,7 @@ struct Sources {
 Sources all_sources()
 {
     Sources all;
-    for (const char* top : {"numbers", "csg", "function", "language", "parser", "render"})
+    for (const char* top : {"numbers", "csg", "function", "language", "parser", "render", "python"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_ROOT) / top)) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".h" && extension != ".cpp" && extension != ".inc") continue;

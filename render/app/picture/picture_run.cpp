@@ -1,8 +1,8 @@
 #include "render/app/picture/picture_making.h"
 
-#include "render/app/run/allocation.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/run/memory.h"
+#include "render/app/still/still.h"
 #include "render/app/output/output_name.h"
 #include "render/app/parts/prepared_file.h"
 #include "render/app/run/shell_commands.h"
@@ -114,10 +114,7 @@ void PictureRun::prepare_strip(std::size_t first, std::size_t last)
 
 trace::RenderOptions PictureRun::render_options()
 {
-    trace::RenderOptions options;
-    options.threads = threads_for(settings_.threads);
-    options.isa = isa_of(settings_);
-    options.cancel = &task_.run.cancel.requested;
+    trace::RenderOptions options = app::render_options(settings_, task_.run.cancel.requested);
     options.progress = [this](double share) { task_.run.reporter.progress(share); };
     return options;
 }

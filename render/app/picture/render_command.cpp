@@ -128,19 +128,12 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
         fmt::print("{}", parser::dump_tokens(find_scene(settings)));
         return kSuccess;
     }
-    if (settings.shutter > 0.0 && (settings.error > 0.0 || settings.samples_error > 0.0 || settings.time > 0.0))
-        throw OptionError(
-            "Shutter takes its samples at fixed moments: it goes with --samples, not with an error or a time");
-    if (settings.denoise && !settings.paths)
-        throw OptionError("--denoise is for pictures of the path tracer: it goes with --integrator=path");
-    if (settings.greyscale && !image::stores_greyscale(settings.file_type))
-        throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    refuse_contradictions(settings);
     if (settings.shards > 0 || settings.prepare) refuse_part(settings);
     if (!settings.views.empty()) refuse_views(settings);
     if (settings.dump == Settings::Dump::Views && settings.views.empty())
         throw OptionError("--dump=views prints the cameras of --views, which is not given");
     if (settings.embed) refuse_embedding(settings);
-    window_of(settings);  // a window outside the picture is an error before the parse
     Streams streams(settings);
     const std::unique_ptr<ConsoleReporter> speaker = make_reporter(settings, streams);
     std::unique_ptr<ConsoleReporter> teller;

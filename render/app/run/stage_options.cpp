@@ -116,6 +116,18 @@ image::FileSettings file_settings(const Settings& settings, const scene::Descrip
     return file;
 }
 
+void refuse_contradictions(const Settings& settings)
+{
+    if (settings.shutter > 0.0 && (settings.error > 0.0 || settings.samples_error > 0.0 || settings.time > 0.0))
+        throw OptionError(
+            "Shutter takes its samples at fixed moments: it goes with --samples, not with an error or a time");
+    if (settings.denoise && !settings.paths)
+        throw OptionError("--denoise is for pictures of the path tracer: it goes with --integrator=path");
+    if (settings.greyscale && !image::stores_greyscale(settings.file_type))
+        throw OptionError("this output file type stores no greyscale: use +FN or +FP");
+    window_of(settings);  // outside of the picture
+}
+
 bool from_standard_input(const Settings& settings)
 {
     return settings.input_file == "-" || same_text(settings.input_file, "stdin");

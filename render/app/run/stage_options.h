@@ -16,6 +16,9 @@ int threads_of(const Settings& settings);
 image::FileSettings file_settings(const Settings& settings, const scene::Description& description);
 trace::Isa isa_of(const Settings& settings);
 
+/// Throws OptionError where options of a picture do not go together, before anything is read.
+void refuse_contradictions(const Settings& settings);
+
 /// +I- or +Istdin.
 bool from_standard_input(const Settings& settings);
 

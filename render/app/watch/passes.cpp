@@ -1,5 +1,6 @@
 #include "render/app/watch/passes.h"
 
+#include "render/app/still/still.h"
 #include "render/app/watch/block_event.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/picture/passes/passes.h"
@@ -60,15 +61,8 @@ private:
     /// \param step pixels of the whole picture that one of the pass stands for, across and down
     bool trace(int pass, int step, bool antialias)
     {
-        plan::Options& o = compiled_.options;
-        o = whole_;
-        if (!antialias) o.antialiasing.method = 0;
-        if (step > 1) {
-            o.width = (whole_.width + step - 1) / step;
-            o.height = (whole_.height + step - 1) / step;
-            o.start_row = o.start_column = 0;
-            o.end_row = o.end_column = -1;
-        }
+        compiled_.options = antialias ? whole_ : coarse_options(whole_, step);
+        const plan::Options& o = compiled_.options;
         const std::string name = antialias ? "antialiasing" : fmt::format("1/{}", step);
         const trace::Blocks blocks(o);
         const auto start = PassClock::now();

@@ -3,12 +3,12 @@
 #include "csg/tree/program.h"
 #include "parser/constants.h"
 #include "render/app/pixel/pixel_answer.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/views/pivot.h"
+#include "render/app/still/still.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
 
@@ -239,11 +239,7 @@ void Session::render(const View& view)
     encoding.bits = 8;
     encoding.greyscale = false;
     encoding.dither = image::Dither::None;
-    trace::RenderOptions options;
-    options.threads = threads_for(settings.threads);
-    options.isa = isa_of(settings);
-    options.cancel = &cancel_;
-    if (!trace_passes(*compiled, options, encoding, generation_, events_, times)) return;
+    if (!trace_passes(*compiled, render_options(settings, cancel_), encoding, generation_, events_, times)) return;
     events_.push(EventLog::Kind::Done, done_event(generation_, seconds_from(start), times, nullptr), generation_);
 }
 

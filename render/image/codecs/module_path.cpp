@@ -5,13 +5,15 @@
 #include <dlfcn.h>
 #include <sys/auxv.h>
 
-#include <array>
 #include <cstdlib>
+#include <utility>
 
 namespace image {
 namespace {
 
-using Folders = std::array<std::filesystem::path, 2>;
+using Folders = std::vector<std::filesystem::path>;
+
+Folders of_library;  // that is not the program
 
 /// What the system was told to start: without /proc (a bare chroot) from the start's own notes.
 std::filesystem::path started_file()
@@ -26,8 +28,17 @@ std::filesystem::path started_file()
 
 Folders module_folders()
 {
+    if (!of_library.empty()) return of_library;
     const std::filesystem::path program = program_file().parent_path();
     return {program, (program / WHITTLE_MODULES_FROM_PROGRAM).lexically_normal()};
+}
+
+std::string named(const Folders& folders)
+{
+    std::string text;
+    for (std::size_t i = 0; i < folders.size(); ++i)
+        text += (i == 0 ? "'" : i + 1 == folders.size() ? "' nor in '" : "', '") + folders[i].string();
+    return text + "'";
 }
 
 }  // namespace
@@ -41,6 +52,8 @@ std::filesystem::path program_file()
     return by_loader ? std::filesystem::path(launcher) : started;
 }
 
+void look_for_modules_in(std::vector<std::filesystem::path> folders) { of_library = std::move(folders); }
+
 std::optional<std::filesystem::path> find_module(const std::string& name)
 {
     std::error_code ignored;
@@ -51,10 +64,8 @@ std::optional<std::filesystem::path> find_module(const std::string& name)
 
 std::string missing_module(const std::string& name)
 {
-    const Folders folders = module_folders();
-    return "the program is not complete: '" + name + "' is neither in '" + folders[0].string() + "' nor in '" +
-           folders[1].string() +
-           "'; a program that is copied needs the modules beside it, cmake --install puts all in place";
+    return "the program is not complete: '" + name + "' is neither in " + named(module_folders()) +
+           "; a program that is copied needs the modules beside it, cmake --install puts all in place";
 }
 
 void* module_entry(const std::string& name, const char* entry)

@@ -187,12 +187,13 @@ void Body::chords(const glm::dvec3& point, const glm::dvec3& direction, double f
 {
     thread_local csg::Scratch scratch;
     out.clear();
-    const double back = glm::dot(point - middle_, direction) + 1.1 * radius_;
+    const bool ends = radius_ > 0.0;  // else the line is followed from where it is asked for
+    const double back = ends ? glm::dot(point - middle_, direction) + 1.1 * radius_ : -from;
     const csg::Ray ray{point - back * direction, direction};
     const csg::WorldData& world = probe_.world().data();
     for (const csg::WorldItem& item : world.items)
-        item_chords(world, item, ray, std::max(0.0, from + back), std::min(to + back, 3.0 * radius_), scratch,
-                    csg::Hit::kNoInstance, 1.0, out);
+        item_chords(world, item, ray, std::max(0.0, from + back), ends ? std::min(to + back, 3.0 * radius_) : to + back,
+                    scratch, csg::Hit::kNoInstance, 1.0, out);
     unite(out, slack_);
     for (Chord& chord : out) {
         chord.in.t -= back;

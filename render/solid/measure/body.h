@@ -44,7 +44,7 @@ public:
     /// The parts inside of the line through `point` along the unit vector `direction` that meet [from, to], correct
     /// within that range only. Sorted and disjoint. Chords and gaps shorter than slack() are left out: faces in one
     /// place leave such films. Wherever the point is, the line is followed from before the body: the same place is told
-    /// for the same line.
+    /// for the same line. Of a body without end it is followed from `from`, which is finite then.
     void chords(const glm::dvec3& point, const glm::dvec3& direction, double from, double to,
                 std::vector<Chord>& out) const;
 
