@@ -18,7 +18,7 @@ background { rgb <0.2, 0.22, 0.2> }
   #declare C = <-1, 1, 1>;
   #declare D = <1, -1, 1>;
   mesh {
-    #macro Face(A, B, C) smooth_triangle { 0.7*A, A*<1, 1/1.2, 1>, 0.7*B, B*<1, 1/1.2, 1>, 0.7*C, C*<1, 1/1.2, 1> } #end
+    #macro Face(A, B, C) smooth_triangle { 0.7*A, A, 0.7*B, B, 0.7*C, C } #end
     Face(A, C, B) Face(A, B, D) Face(A, D, C) Face(B, C, D)
     pigment { rgb <0.8, 0.3, 0.1> }
     finish { emission <0, 0, 0.1> }

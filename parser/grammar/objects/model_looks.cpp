@@ -48,14 +48,14 @@ std::uint32_t add_look(MeshState& s, scene::Pigment pigment, const glm::vec3& em
 }
 
 /// pigment { uv_mapping image_map { ... } }
-scene::Pigment picture_pigment(std::shared_ptr<const image::Picture> picture, const std::string& path, bool linear,
-                               const scene::SourceRef& at)
+scene::Pigment picture_pigment(std::shared_ptr<const image::Picture> picture, const std::string& path,
+                               const scene::GammaCurve& gamma, const scene::SourceRef& at)
 {
     auto map = std::make_shared<scene::ImageMap>();
     map->source.kind = "file";
     map->source.path = path;
     map->source.picture = std::move(picture);
-    map->source.gamma = scene::GammaCurve{linear ? scene::GammaCurve::Kind::Power : scene::GammaCurve::Kind::Srgb};
+    map->source.gamma = gamma;
     map->interpolation = scene::ImageMap::Interpolation::Bilinear;
     map->at = at;
     scene::PatternedPigment shown;
@@ -124,7 +124,8 @@ std::vector<std::uint32_t> numbered(const std::vector<glm::vec3>& colors, std::v
 class ColorSheet {
 public:
     using Corners = std::array<std::uint32_t, 3>;
-    ColorSheet(const std::vector<glm::vec3>& colors, bool linear) : colors_(colors), linear_(linear) {}
+    /// \param colors of the scene's, which interpolated are what a blend of textures is
+    explicit ColorSheet(const std::vector<glm::vec3>& colors) : colors_(colors) {}
 
     std::uint32_t block(const Corners& corners)
     {
@@ -148,22 +149,20 @@ public:
     }
     std::shared_ptr<const image::Picture> picture() const
     {
-        constexpr float kMost = 65535.0f;
         auto out = std::make_shared<image::Picture>();
         out->width = static_cast<int>(2 * across_);
         out->height = static_cast<int>(2 * down_);
         out->channels = 3;
-        out->bits = 16;
-        image::Samples::Shorts samples(3 * out->count());
+        out->bits = 32;
+        image::Samples::Floats samples(3 * out->count());
         for (std::size_t i = 0; i < blocks_.size(); ++i)
             for (std::size_t k = 0; k < 4; ++k) {
                 const glm::vec3 color = k < 3 ? colors_[blocks_[i][k]] : fourth(blocks_[i]);
                 const std::size_t column = 2 * (i % across_) + k % 2, row = 2 * (i / across_) + k / 2;
-                for (std::size_t c = 0; c < 3; ++c)
-                    samples[3 * (row * 2 * across_ + column) + c] =
-                        static_cast<std::uint16_t>(color[static_cast<glm::length_t>(c)] * kMost + 0.5f);
+                for (glm::length_t c = 0; c < 3; ++c)
+                    samples[3 * (row * 2 * across_ + column) + static_cast<std::size_t>(c)] = color[c];
             }
-        out->samples = {std::move(samples), 65535};
+        out->samples = {std::move(samples)};
         return out;
     }
 
@@ -175,19 +174,13 @@ private:
             return static_cast<std::size_t>(((c[0] * kOdd + c[1]) * kOdd + c[2]) * kOdd >> 16);
         }
     };
+    /// May be below 0 or above 1.
     glm::vec3 fourth(const Corners& corners) const
     {
-        const TransferCurve curve = linear_ ? TransferCurve::linear() : TransferCurve::srgb();
-        glm::vec3 out;
-        for (int c = 0; c < 3; ++c) {
-            const auto light = [&](std::size_t k) { return curve.decode(colors_[corners[k]][c]); };
-            out[c] = curve.encode(std::clamp(light(1) + light(2) - light(0), 0.0f, 1.0f));
-        }
-        return glm::clamp(out, 0.0f, 1.0f);
+        return colors_[corners[1]] + colors_[corners[2]] - colors_[corners[0]];
     }
 
     const std::vector<glm::vec3>& colors_;
-    bool linear_;
     std::unordered_map<Corners, std::uint32_t, Hash> known_;
     std::vector<Corners> blocks_;
     std::size_t across_ = 1, down_ = 1;
@@ -262,7 +255,7 @@ std::vector<std::uint32_t> textures_told(MeshState& s, const scene::SourceRef& a
         scene::Pigment pigment;
         std::string name;
         if (const auto picture = picture_of(s, at, path, model, material, name))
-            pigment = picture_pigment(picture, name, false, at);
+            pigment = picture_pigment(picture, name, {scene::GammaCurve::Kind::Srgb}, at);
         else pigment.kind = color_of(working, material.color, material.opacity);
         all.back() = add_look(s, std::move(pigment), working(material.emission));
     }
@@ -278,7 +271,9 @@ void paint_corners(MeshState& s, const scene::SourceRef& at, const std::string& 
     const auto corners_of = [&](const model::Model::Face& face) {
         return ColorSheet::Corners{number[face.color[0]], number[face.color[1]], number[face.color[2]]};
     };
-    ColorSheet sheet(colors, model.linear);
+    const Working working(s, model.linear);
+    for (glm::vec3& color : colors) color = working(color);
+    ColorSheet sheet(colors);
     std::vector<std::uint32_t> block(model.faces.size(), model::kNone);
     bool plain = true;
     for (std::size_t i = 0; i < model.faces.size(); ++i) {
@@ -291,11 +286,10 @@ void paint_corners(MeshState& s, const scene::SourceRef& at, const std::string& 
     scene::MeshData& mesh = *s.data;
     constexpr std::size_t kMostTextures = 256;  // of one colour each; a picture serves more
     if (plain && sheet.blocks() <= kMostTextures) {
-        const Working working(s, model.linear);
         std::vector<std::uint32_t> texture;
         for (std::size_t i = 0; i < sheet.blocks(); ++i) {
             scene::Pigment pigment;
-            pigment.kind = color_of(working, colors[sheet.corners(i)[0]], 1.0f);
+            pigment.kind = scene::Color::of(colors[sheet.corners(i)[0]]);
             texture.push_back(add_look(s, std::move(pigment), glm::vec3(0)));
         }
         for (std::size_t i = 0; i < block.size(); ++i)
@@ -303,7 +297,8 @@ void paint_corners(MeshState& s, const scene::SourceRef& at, const std::string& 
         return;
     }
     sheet.settle();
-    const std::uint32_t texture = add_look(s, picture_pigment(sheet.picture(), path, model.linear, at), glm::vec3(0));
+    const scene::GammaCurve gamma = s.stream().language().assumed_gamma.value_or(scene::GammaCurve{});
+    const std::uint32_t texture = add_look(s, picture_pigment(sheet.picture(), path, gamma, at), glm::vec3(0));
     const auto uvs = static_cast<std::uint32_t>(mesh.uvs.size());
     for (std::size_t i = 0; i < sheet.blocks(); ++i)
         for (std::size_t k = 0; k < 3; ++k) mesh.uvs.push_back(sheet.uv(i, k));
