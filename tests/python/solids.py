@@ -112,7 +112,7 @@ class Solids(unittest.TestCase):
         self.assertEqual(int((found.object == washer).sum()), int(inside.sum()))
 
     def test_an_interrupt_ends_long_questions(self):
-        many = numpy.tile([[0.0, 9.0, 0.0]], (3_000_000, 1))
+        many = numpy.tile([[0.0, 9.0, 0.0]], (300_000, 1))
         down = numpy.broadcast_to([0.0, -1.0, 0.0], many.shape)
         rings = whittle.Scene("union {" + "".join(f"torus {{ {i / 40 + 0.1}, 0.1 }}" for i in range(200)) + "}")
         for ask in (
@@ -120,12 +120,16 @@ class Solids(unittest.TestCase):
             lambda: self.scene.info(precision=1e-9),
             lambda: rings.spans(many, down),
         ):
-            asked = threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT))
-            start = time.monotonic()
-            asked.start()
+            sent = []
+
+            def interrupt():
+                sent.append(time.monotonic())
+                os.kill(os.getpid(), signal.SIGINT)
+
+            threading.Timer(0.4, interrupt).start()
             with self.assertRaises(KeyboardInterrupt):
                 ask()
-            self.assertLess(time.monotonic() - start, 0.9)
+            self.assertLess(time.monotonic() - sent[0], 0.5)
 
     def test_what_cannot_be_is_said(self):
         with self.assertRaisesRegex(ValueError, "Ball"):
