@@ -8,6 +8,8 @@ folder=${1:-$(mktemp -d)}
 trap '[[ $# -gt 0 ]] || rm -rf --one-file-system "$folder"' EXIT
 expect() { "$@" || { echo "failed: $*" >&2; exit 1; }; }
 
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct)}  # of both
+export SOURCE_DATE_EPOCH
 archive=$("$root/cmake/portable.sh" "$folder/one")
 "$root/packaging/portable.py" "$root/build/release" "$folder/two" >/dev/null
 expect diff -r "$folder/one" "$folder/two"  # byte for byte
