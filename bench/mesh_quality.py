@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """How good the triangles of `whittle mesh` are: a table of the ball and the bored box of bench/solids and of scenes/parts.
 
-usage: mesh_quality.py [--whittle PROGRAM] [--out FOLDER] [--tolerance T] [--samples N] [--table FILE] [NAME...]
+usage: mesh_quality.py [--whittle PROGRAM] [--out FOLDER] [--tolerance T] [--samples N] [--table FILE] [--openscad] [NAME...]
 
 For each part, from its PLY file:
-  off      farthest vertex from the surface, scene units: by formula of ball and bored box, else by trace() of the scene's own object
+  off      farthest vertex from the surface, scene units: by formula of ball, bored box and chain, else by trace() of the scene's own object
   angle    least angle of the triangles in degrees: the least of all, and that which 99 % of them have at least
   facing   angle in degrees between a triangle and the surface above its middle: which 99 % are within, and the greatest
   normals  angle in degrees between the normal that a vertex carries and the surface's: 99 %, and the greatest ("-": the file has none)
@@ -20,7 +20,7 @@ import subprocess
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-OBJECTS = {"blob": "Drop", "chain": "Link", "julia": "Fractal", "thread": "Bolt"}  # others are named as their file
+OBJECTS = {"blob": "Drop", "julia": "Fractal", "thread": "Bolt"}  # others are named as their file
 
 
 def read_ply(path):
@@ -76,6 +76,21 @@ def bored(points, towards):
     return least, np.stack(normals)[facing.argmax(0), np.arange(len(points))]
 
 
+def chain(points, _):
+    """Distance from the nearest of five rings, and its normal."""
+    gaps, normals = [], []
+    for i in range(-2, 3):
+        p = points - (1.1 * i, 0, 0)
+        axis, other = (2, 1) if i % 2 == 0 else (1, 2)
+        r = np.hypot(p[:, 0], p[:, other])
+        ring = np.zeros_like(p)
+        ring[:, 0], ring[:, other] = 0.8 * p[:, 0] / r, 0.8 * p[:, other] / r
+        gaps.append(np.abs(np.linalg.norm(p - ring, axis=1) - 0.22))
+        normals.append(unit(p - ring))
+    gaps = np.stack(gaps)
+    return gaps.min(0), np.stack(normals)[gaps.argmin(0), np.arange(len(points))]
+
+
 def traced(whittle, scene, folder, points, towards, reach):
     """The same of the scene's object by its own trace(): met from `reach` outside, along the normal; NaN where nothing is met."""
     name = OBJECTS.get(scene.stem, scene.stem.capitalize())
@@ -97,31 +112,22 @@ def traced(whittle, scene, folder, points, towards, reach):
     return gap, np.where(np.sum(normals * towards, 1, keepdims=True) < 0, -normals, normals)
 
 
-def quality(whittle, scene, folder, tolerance, samples):
-    path = folder / f"{scene.stem}.ply"
-    before = os.times()
-    done = subprocess.run([whittle, "mesh", str(scene), "-o", str(path), f"--tolerance={tolerance}"], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, timeout=900)
-    after = os.times()
-    seconds = after.children_user + after.children_system - before.children_user - before.children_system
-    if not path.exists():
-        raise SystemExit(f"{scene}: {done.stderr}")
-    table, triangles = read_ply(path)
-    vertices = vectors(table, "xyz")
-    off = [max(float(a), float(b)) for a, b in re.findall(r"of the mesh (\S+) .*?of the object (\S+) ", done.stdout)]
+def exact_of(whittle, scene, folder, tolerance):
+    """A function that tells distances and normals, and whether it may be asked for all."""
+    if scene.stem in ("ball", "bored", "chain"):
+        return {"ball": ball, "bored": bored, "chain": chain}[scene.stem], True
+    return (lambda p, n: traced(whittle, scene, folder, p, n, 2 * float(tolerance))), False
+
+
+def judged(vertices, triangles, exact, all_of_them, samples, normals=None):
+    """Columns of the table: off, angle, facing, normals; and how far middles of triangles are off at most."""
     faces = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]], vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
     angles = least_angles(vertices, triangles)
-    exact = {"ball": ball, "bored": bored}.get(scene.stem)
     random = np.random.default_rng(1)
-    if exact is None:
-        step = float(tolerance)
-        exact = lambda p, n: traced(whittle, scene, folder, p, n, step)  # noqa: E731
-        some_faces = random.permutation(len(triangles))[:samples]
-        some_vertices = random.permutation(len(vertices))[:samples]
-    else:
-        some_faces, some_vertices = np.arange(len(triangles)), np.arange(len(vertices))
+    most = max(len(triangles), len(vertices)) if all_of_them else samples
+    some_faces, some_vertices = random.permutation(len(triangles))[:most], random.permutation(len(vertices))[:most]
     middles = vertices[triangles[some_faces]].mean(1)
-    _, above = exact(middles, unit(faces[some_faces]))
+    sunk, above = exact(middles, unit(faces[some_faces]))
     facing = degrees_between(faces[some_faces], above)
     facing = facing[np.linalg.norm(above, axis=1) > 0.5]
     # A vertex is looked at along the mean of its triangles.
@@ -130,16 +136,47 @@ def quality(whittle, scene, folder, tolerance, samples):
         np.add.at(mean, triangles[:, k], unit(faces))
     gap, at_vertex = exact(vertices[some_vertices], unit(mean[some_vertices]))
     told = "-"
-    if "nx" in table.dtype.names:
-        own = vectors(table, ("nx", "ny", "nz"))[some_vertices]
+    if normals is not None:
         # One place, one vertex: what has a twin lies on a sharp edge.
         _, index, count = np.unique(vertices, axis=0, return_inverse=True, return_counts=True)
         alone = (count[index.reshape(-1)][some_vertices] == 1) & (np.linalg.norm(at_vertex, axis=1) > 0.5)
-        bent = degrees_between(own[alone], at_vertex[alone])
+        bent = degrees_between(normals[some_vertices][alone], at_vertex[alone])
         told = f"{np.percentile(bent, 99):.2f}, {bent.max():.1f}" if len(bent) else "-"
-    return (f"| {scene.stem} | {len(triangles)} | {np.nanmax(gap):.1e} ({np.nanpercentile(gap, 99):.1e}) | {max(off):.4f} | "
-            f"{angles.min():.2f}, {np.percentile(angles, 1):.1f} | "
-            f"{np.percentile(facing, 99):.1f}, {facing.max():.1f} | {told} | {seconds:.1f} | {'passed' if done.returncode == 0 else 'FAILED'} |")
+    return (f"{np.nanmax(gap):.1e} ({np.nanpercentile(gap, 99):.1e})", f"{angles.min():.2f}, {np.percentile(angles, 1):.1f}",
+            f"{np.percentile(facing, 99):.1f}, {facing.max():.1f}", told, np.nanmax(sunk))
+
+
+def timed(command, limit=900):
+    """What a command says, and the seconds of processor time that it took."""
+    before = os.times()
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=limit)
+    after = os.times()
+    return done, after.children_user + after.children_system - before.children_user - before.children_system
+
+
+def quality(whittle, scene, folder, tolerance, samples):
+    path = folder / f"{scene.stem}.ply"
+    path.unlink(missing_ok=True)
+    done, seconds = timed([whittle, "mesh", str(scene), "-o", str(path), f"--tolerance={tolerance}"])
+    if not path.exists():
+        return f"| {scene.stem} | - | | | | | | {seconds:.1f} | FAILED: {done.stderr.strip()} |"
+    table, triangles = read_ply(path)
+    apart = [max(float(a), float(b)) for a, b in re.findall(r"of the mesh (\S+) .*?of the object (\S+) ", done.stdout)]
+    normals = vectors(table, ("nx", "ny", "nz")) if "nx" in table.dtype.names else None
+    off, angle, facing, told, _ = judged(vectors(table, "xyz"), triangles, *exact_of(whittle, scene, folder, tolerance), samples, normals)
+    return (f"| {scene.stem} | {len(triangles)} | {off} | {max(apart):.4f} | {angle} | {facing} | {told} | {seconds:.1f} | "
+            f"{'passed' if done.returncode == 0 else 'FAILED'} |")
+
+
+def openscad_quality(whittle, scad, folder, tolerance, samples):
+    """The same of what OpenSCAD makes of the part's description for it; apart: middles of triangles alone."""
+    path = folder / f"{scad.stem}_openscad.stl"
+    _, seconds = timed(["openscad", "-o", str(path), f"-Dtolerance={tolerance}", str(scad)])
+    corners = np.array(re.findall(r"vertex (\S+) (\S+) (\S+)", path.read_text()), float)
+    vertices, triangles = np.unique(corners, axis=0, return_inverse=True)
+    scene = next(p for p in (ROOT / f"bench/solids/{scad.stem}.pov", ROOT / f"scenes/parts/{scad.stem}.pov") if p.exists())
+    off, angle, facing, told, sunk = judged(vertices, triangles.reshape(-1, 3), *exact_of(whittle, scene, folder, tolerance), samples)
+    return f"| {scad.stem}, OpenSCAD | {len(triangles.reshape(-1, 3))} | {off} | {sunk:.4f} | {angle} | {facing} | {told} | {seconds:.1f} | |"
 
 
 def main():
@@ -150,14 +187,20 @@ def main():
     parser.add_argument("--tolerance", default="0.01")
     parser.add_argument("--samples", type=int, default=4000)
     parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--openscad", action="store_true", help="rows of OpenSCAD's too, of the parts that bench/solids describes for it")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     folder = options.out.resolve()
     lines = ["| part | triangles | vertices off: most (99 %) | mesh and part apart | least angle, 99 % have | "
              "facing: 99 % within, most | normals: 99 %, most | seconds | checks |", "|---|---:|---:|---:|---:|---:|---:|---:|---|"]
     for scene in sorted((ROOT / "bench/solids").glob("*.pov")) + sorted((ROOT / "scenes/parts").glob("*.pov")):
-        if not options.names or scene.stem in options.names:
-            lines.append(quality(options.whittle, scene, folder, options.tolerance, options.samples))
+        if options.names and scene.stem not in options.names:
+            continue
+        lines.append(quality(options.whittle, scene, folder, options.tolerance, options.samples))
+        print(lines[-1], flush=True)
+        scad = ROOT / f"bench/solids/{scene.stem}.scad"
+        if options.openscad and scad.exists():
+            lines.append(openscad_quality(options.whittle, scad, folder, options.tolerance, options.samples))
             print(lines[-1], flush=True)
     if options.table:
         options.table.write_text("\n".join(lines) + "\n")

@@ -9,12 +9,14 @@
 #include "render/app/solid/part_file.h"
 #include "render/image/codecs/module_path.h"
 #include "render/image/picture_writer.h"
+#include "render/solid/files/glb.h"
 #include "render/solid/files/three_mf.h"
 #include "render/solid/files/write.h"
 #include "render/solid/measure/measure.h"
 #include "render/solid/mesh/check.h"
 #include "render/solid/mesh/deviation.h"
 #include "render/solid/mesh/mesher.h"
+#include "render/solid/remesh/remesh.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -25,7 +27,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kMeshUsage = R"(usage: whittle mesh SCENE -o FILE.stl|.3mf|.obj|.ply [options]
+constexpr const char* kMeshUsage = R"(usage: whittle mesh SCENE -o FILE.stl|.3mf|.obj|.ply|.glb [options]
 
 Each object of a scene as triangles: closed, meeting edge to edge, crossing nowhere. What has no inside or no end (planes) is left out.
 How far mesh and object are apart is measured by rays and printed; a mesh that does not close is not written.
@@ -75,7 +77,8 @@ MeshRequest mesh_request(const std::vector<std::string>& arguments)
     apply_command_line(request.bodies.settings, others);
     if (request.bodies.settings.input_file.empty())
         throw OptionError("no scene given: whittle mesh scene.pov -o part.stl, or whittle mesh --help");
-    if (request.out.empty()) throw OptionError("where to? whittle mesh scene.pov -o part.stl (or .3mf, .obj, .ply)");
+    if (request.out.empty())
+        throw OptionError("where to? whittle mesh scene.pov -o part.stl (or .3mf, .obj, .ply, .glb)");
     solid::format_of(request.out);
     return request;
 }
@@ -99,6 +102,7 @@ public:
         case solid::MeshFormat::Obj: put_bytes(request_.out, solid::obj_text(parts_)); break;
         case solid::MeshFormat::Ply: put_bytes(request_.out, solid::ply_bytes(parts_)); break;
         case solid::MeshFormat::ThreeMf: put_three_mf(); break;
+        case solid::MeshFormat::Glb: put_bytes(request_.out, solid::glb_bytes(parts_)); break;
         }
         fmt::print("{}  {} object{}\n", request_.out, parts_.size(), parts_.size() == 1 ? "" : "s");
         return status_;
@@ -121,7 +125,9 @@ private:
             solid::FilePart part;
             part.name = named.name;
             color_of(*named.object, part.color);
-            if (make(body, part)) parts_.push_back(std::move(part));
+            if (!make(body, part)) return;
+            part.colors = colors_at(*named.object, description, part.mesh.vertices);
+            parts_.push_back(std::move(part));
         } catch (const solid::NoBody& why) {
             fmt::print(stderr, "{}: left out: {}\n", named.name, why.what());
         }
@@ -138,7 +144,7 @@ private:
         solid::MeshFacts facts;
         solid::Deviation off;
         make_finer(options, kMostCells, facts, [&](const solid::RefineOptions& now) {
-            part.mesh = solid::mesh_of(body, extent, now, facts);
+            part.mesh = solid::good_mesh_of(body, extent, now, facts);
             off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
             return off.from_body;
         });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/app/run/cancellation.h"
+#include "render/scene/description.h"
 #include "render/scene/object.h"
 #include "render/solid/mesh/refinement.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <chrono>
 #include <string>
+#include <vector>
 
 /// What files of parts have in common.
 namespace app {
@@ -15,6 +17,10 @@ namespace app {
 /// The colour of the first plain pigment that is found in an object, sRGB from 0 to 1; the scene's numbers are taken as
 /// linear light. False: there is none.
 bool color_of(const scene::Object& object, std::array<double, 3>& out);
+
+/// The colours at points of an object whose first pigment is a pattern, alike; empty where it is none.
+std::vector<std::array<double, 3>> colors_at(const scene::Object& object, const scene::Description& description,
+                                             const std::vector<glm::vec3>& points);
 
 using PartClock = std::chrono::steady_clock;
 

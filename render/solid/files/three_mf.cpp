@@ -17,12 +17,15 @@ void write_three_mf(const std::string& module, const std::string& path, const st
     std::vector<TriangleMesh> meshes;
     for (const FilePart& part : parts) meshes.push_back(turned(part.mesh));
     static_assert(sizeof(glm::vec3) == 12 && sizeof(meshes[0].triangles[0]) == 12);
+    std::vector<std::vector<std::array<std::uint8_t, 3>>> colors(parts.size());
     std::vector<ThreeMfPart> plain;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         ThreeMfPart p{};
         p.name = parts[i].name.c_str();
-        for (std::size_t k = 0; k < 3; ++k)
-            p.color[k] = static_cast<unsigned char>(std::clamp(parts[i].color[k], 0.0, 1.0) * 255.0 + 0.5);
+        const auto own = bytes_of(parts[i].color);
+        std::copy(own.begin(), own.end(), p.color);
+        for (const Rgb& c : parts[i].colors) colors[i].push_back(bytes_of(c));
+        p.colors = colors[i].empty() ? nullptr : colors[i][0].data();
         p.vertices = &meshes[i].vertices[0].x;
         p.vertex_count = static_cast<std::uint32_t>(meshes[i].vertices.size());
         p.triangles = meshes[i].triangles[0].data();

@@ -13,6 +13,7 @@ struct ThreeMfPart {
     std::uint32_t vertex_count;
     const std::uint32_t* triangles;  ///< three indices each
     std::uint32_t triangle_count;
+    const unsigned char* colors;  ///< sRGB by vertex, three bytes each; null: `color` alone
 };
 
 inline constexpr const char* kThreeMfModule = "libwhittle_3mf.so";

@@ -58,6 +58,23 @@ const char* add(PLib3MFModel* model, PLib3MFModelBaseMaterial* materials, const 
     if (failed(lib3mf_object_createdefaultpropertyhandler(object.get(), properties.place())) ||
         failed(lib3mf_defaultpropertyhandler_setbasematerial(properties.get(), group, material)))
         return "the colour of an object";
+    if (part.colors != nullptr) {  // a colour for each corner of a triangle, mixed in between
+        Held<PLib3MFPropertyHandler> corners;
+        if (failed(lib3mf_meshobject_createpropertyhandler(object.get(), corners.place())))
+            return "colours of vertices";
+        for (std::uint32_t t = 0; t < part.triangle_count; ++t) {
+            MODELMESH_TRIANGLECOLOR_SRGB all{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const unsigned char* own = part.colors + 3 * std::size_t{part.triangles[3 * t + k]};
+                all.m_Colors[k].m_Red = own[0];
+                all.m_Colors[k].m_Green = own[1];
+                all.m_Colors[k].m_Blue = own[2];
+                all.m_Colors[k].m_Alpha = 255;
+            }
+            if (failed(lib3mf_propertyhandler_setgradientcolor(corners.get(), t, &all)))
+                return "the colour of a vertex";
+        }
+    }
     Held<PLib3MFModelBuildItem> item;
     if (failed(lib3mf_model_addbuilditem(model, object.get(), nullptr, item.place()))) return "an item to build";
     return nullptr;

@@ -1,0 +1,108 @@
+#include "render/solid/remesh/remesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solid {
+namespace {
+
+constexpr double kAgrees = 0.5;   // cosine: the surface that is met is the vertex's own
+constexpr double kTurned = 0.77;  // cosine of 40 degrees: triangles that moves make look so near to the surface
+constexpr double kStep = 0.7;     // of the way to the middle of the neighbours
+constexpr double kLean = 0.966;   // cosine of 15 degrees: moves make no sharper angle
+
+}  // namespace
+
+/// Where a vertex comes to lie on the surface, or on the edge or corner that it belongs to, near a place.
+Remesher::Move Remesher::moved(Index v, const glm::dvec3& to) const
+{
+    Move out;
+    double longest = 0.0;
+    glm::dvec3 sum(0.0);
+    mesh_.each_out(v, [&](Index h) {
+        longest = std::max(longest, length(h));
+        sum += mesh_.facing[h / 3] * glm::length(cross_at(h / 3));
+    });
+    if (kinds_[v] != Kind::Smooth) {
+        std::array<Side, 16> sides;
+        const std::size_t count = sides_of(v, sides);
+        if (count > 1) {
+            out.found = meeting_place(body_, std::span(sides.data(), count), to, longest, out.place);
+            return out;
+        }
+    }
+    const double own = glm::length(sum);
+    if (!(own > 0.0)) return out;
+    const Foot foot = foot_of(body_, to, sum / own, longest);
+    out.found = foot.found && glm::dot(foot.at.normal, sum / own) > kAgrees;
+    out.place = foot.at.point;
+    if (kinds_[v] == Kind::Smooth) out.normal = foot.at.normal;
+    return out;
+}
+
+/// Along the surface or the edge, toward the middle of the neighbours there.
+glm::dvec3 Remesher::wanted_place(Index v) const
+{
+    const glm::dvec3 here = mesh_.places[v];
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    std::array<glm::dvec3, 2> ends{};
+    mesh_.each_out(v, [&](Index h) {
+        if (kinds_[v] == Kind::Crease && !mesh_.is_sharp(h)) return;
+        const glm::dvec3& there = mesh_.places[mesh_.head(h)];
+        if (count < 2) ends[static_cast<std::size_t>(count)] = there;
+        sum += there;
+        ++count;
+    });
+    if (kinds_[v] == Kind::Corner || count == 0) return here;
+    const glm::dvec3 step = kStep * (sum / static_cast<double>(count) - here);
+    if (kinds_[v] == Kind::Crease) {
+        const glm::dvec3 along = ends[1] - ends[0];
+        const double length2 = glm::dot(along, along);
+        return length2 > 0.0 ? here + along * (glm::dot(step, along) / length2) : here;
+    }
+    const glm::dvec3& n = normals_[v];
+    return here + step - n * glm::dot(n, step);
+}
+
+bool Remesher::may_move(Index v, const glm::dvec3& to) const
+{
+    const glm::dvec3 here = mesh_.places[v];
+    bool good = true;
+    mesh_.each_out(v, [&](Index h) {
+        if (!good) return;
+        const glm::dvec3 a = mesh_.places[mesh_.head(h)], b = mesh_.places[mesh_.tail(HalfEdges::before(h))];
+        const glm::dvec3 was = cross_of(here, a, b), is = cross_of(to, a, b), facing = mesh_.facing[h / 3];
+        const double old_area = glm::length(was), area = glm::length(is);
+        const double old_facing = old_area > 0.0 ? glm::dot(was, facing) / old_area : -1.0,
+                     own = area > 0.0 ? glm::dot(is, facing) / area : -1.0;
+        if (own < kTurned && own <= old_facing) good = false;
+        const double lean = sharpest_cosine(to, a, b);
+        if (lean > kLean && lean > sharpest_cosine(here, a, b) + 1e-6)
+            good = good && normals_[v] == glm::dvec3(0.0) && lean < 0.9995;
+    });
+    return good;
+}
+
+/// All vertices, by threads; then what keeps its triangles in order is done.
+void Remesher::move_all(bool smooth)
+{
+    std::vector<Move> moves(mesh_.vertices());
+    each(mesh_.vertices(), [&](Index v) {
+        if (!mesh_.has_vertex(v)) return;
+        moves[v] = moved(v, smooth ? wanted_place(v) : mesh_.places[v]);
+    });
+    for (Index v = 0; v < mesh_.vertices(); ++v) {
+        if (!mesh_.has_vertex(v) || !moves[v].found) continue;
+        if (!may_move(v, moves[v].place)) {
+            if (!smooth || normals_[v] != glm::dvec3(0.0)) continue;
+            moves[v] = moved(v, mesh_.places[v]);
+            if (!moves[v].found || !may_move(v, moves[v].place)) continue;
+        }
+        mesh_.places[v] = moves[v].place;
+        normals_[v] = moves[v].normal;
+    }
+    face_again();
+}
+
+}  // namespace solid

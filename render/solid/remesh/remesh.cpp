@@ -1,0 +1,112 @@
+#include "render/solid/remesh/remesh.h"
+
+#include "render/solid/mesh/check.h"
+#include "render/solid/remesh/crossings.h"
+#include "render/solid/remesh/remesher.h"
+
+#include <algorithm>
+
+namespace solid {
+namespace {
+
+constexpr double kOffShare = 0.27;                         // of the tolerance: the aim, as not all places are looked at
+constexpr double kLeastLength = 1e-3;                      // of the body's size
+constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
+constexpr int kRounds = 6, kMoreRounds = 3, kCorrections = 4;
+
+}  // namespace
+
+glm::dvec3 Remesher::cross_at(Index f) const
+{
+    return cross_of(mesh_.places[mesh_.tail(3 * f)], mesh_.places[mesh_.tail(3 * f + 1)],
+                    mesh_.places[mesh_.tail(3 * f + 2)]);
+}
+
+glm::dvec3 Remesher::middle_of(Index f) const
+{
+    return (mesh_.places[mesh_.tail(3 * f)] + mesh_.places[mesh_.tail(3 * f + 1)] +
+            mesh_.places[mesh_.tail(3 * f + 2)]) /
+           3.0;
+}
+
+double Remesher::longest_side(Index f) const
+{
+    return std::max(length(3 * f), std::max(length(3 * f + 1), length(3 * f + 2)));
+}
+
+Remesher::Remesher(const Body& body, const csg::Aabb& extent, const RefineOptions& options)
+    : body_(body), options_(options)
+{
+    const glm::dvec3 size = extent.upper - extent.lower;
+    size_ = glm::max(size.x, glm::max(size.y, size.z));
+    off_ = kOffShare * options.tolerance;
+    least_ = std::max(kLeastLength * size_, options.tolerance);
+}
+
+bool Remesher::take(const TriangleMesh& mesh)
+{
+    if (!mesh_.take(mesh)) return false;
+    normals_.assign(mesh_.vertices(), glm::dvec3(0.0));
+    most_triangles_ = kMostTimes * mesh.triangles.size() + kMostMore;
+    return true;
+}
+
+void Remesher::look_at_surface()
+{
+    find_facing();
+    find_sharp();
+    tidy_sharp();
+    find_kinds();
+}
+
+bool Remesher::run()
+{
+    look_at_surface();
+    find_lengths();
+    const auto round = [&] {
+        collapse_short();
+        split_long();
+        flip_better();
+        move_all(true);
+        flip_better();
+    };
+    for (int i = 0; i < kRounds && !overrun_; ++i) round();
+    for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i)
+        for (int k = 0; k < kMoreRounds; ++k) round();
+    move_all(false);
+    return !overrun_;
+}
+
+bool remesh(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh)
+{
+    Remesher remesher(body, extent, options);
+    if (!check(mesh).good() || !remesher.take(mesh)) return false;
+    if (!remesher.run()) return false;
+    TriangleMesh made = remesher.result();
+    if (!check(made).good() || crossings(made) > 0) return false;
+    mesh = std::move(made);
+    return true;
+}
+
+void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh)
+{
+    Remesher remesher(body, extent, options);
+    if (!check(mesh).good() || !remesher.take(mesh)) return;
+    remesher.look_at_surface();
+    mesh = remesher.result();
+}
+
+TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
+{
+    return plain_mesh_of(body, extent, options, facts);
+}
+
+TriangleMesh plain_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
+{
+    facts = {};
+    TriangleMesh mesh = mesh_of(body, extent, options, facts);
+    add_normals(body, extent, options, mesh);
+    return mesh;
+}
+
+}  // namespace solid

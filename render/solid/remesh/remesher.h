@@ -1,0 +1,109 @@
+#pragma once
+
+#include "csg/base/cancel.h"
+#include "render/solid/remesh/foot.h"
+#include "render/solid/remesh/half_edges.h"
+#include "render/solid/mesh/refinement.h"
+
+#include <tbb/parallel_for.h>
+
+namespace solid {
+
+/// The steps of remesh(). Rays are asked by threads, each for its own vertex or triangle; connections are changed one
+/// after the other in the order of numbers: the same mesh for any number of threads.
+class Remesher {
+public:
+    using Index = HalfEdges::Index;
+
+    Remesher(const Body& body, const csg::Aabb& extent, const RefineOptions& options);
+
+    bool take(const TriangleMesh& mesh);
+    /// Finds what the surface is like about the triangles, and its sharp edges.
+    void look_at_surface();
+    /// False where it needs many more triangles than there were: something about the surface is not understood.
+    bool run();
+    TriangleMesh result() const;
+
+private:
+    enum class Kind : std::uint8_t { Smooth, Crease, Corner };
+
+    /// \name surface.cpp: what the surface is like
+    void find_facing();
+    void find_sharp();
+    void tidy_sharp();
+    bool straighten(Index f);
+    bool unpinch(Index v);
+    void take_side(Index f, const glm::dvec3& normal);
+    int sharp_edges(Index v) const;
+    void find_kinds();
+    void find_lengths();
+    void grade_lengths();
+    void face_again();
+    /// Shortens lengths where triangles are off or face away; how many.
+    std::size_t look_for_misfits();
+    std::size_t sides_of(Index v, std::array<Side, 16>& out) const;
+
+    /// \name steps.cpp: connections
+    bool is_longest(Index h) const;
+    std::size_t split_long();
+    std::size_t collapse_short();
+    std::size_t flip_better();
+    bool may_collapse(Index h) const;
+    bool may_flip(Index h) const;
+
+    /// \name moves.cpp: places
+    struct Move {
+        bool found = false;
+        glm::dvec3 place{0.0}, normal{0.0};
+    };
+    Move moved(Index v, const glm::dvec3& to) const;
+    glm::dvec3 wanted_place(Index v) const;
+    bool may_move(Index v, const glm::dvec3& to) const;
+    void move_all(bool smooth);
+
+    /// \name corner_normals.cpp: normals for the files
+    glm::dvec3 side_normal(Index v, Index f) const;
+    void corner_normals(std::vector<glm::vec3>& normals, std::vector<Index>& of_corner) const;
+
+    /// \name what triangles are like
+    glm::dvec3 cross_at(Index f) const;
+    bool is_sliver(Index f) const;
+    glm::dvec3 middle_of(Index f) const;
+    double longest_side(Index f) const;
+    double length(Index h) const { return glm::length(mesh_.places[mesh_.head(h)] - mesh_.places[mesh_.tail(h)]); }
+    double wanted_length(Index h) const { return std::min(lengths_[mesh_.tail(h)], lengths_[mesh_.head(h)]); }
+
+    /// f(i) for i below `count`, by threads.
+    template <class F>
+    void each(std::size_t count, F&& f) const
+    {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kPartsOfTask), [&](const auto& range) {
+            if (options_.cancel != nullptr && *options_.cancel) throw csg::Cancelled();
+            for (std::size_t i = range.begin(); i < range.end(); ++i) f(static_cast<Index>(i));
+        });
+    }
+
+    const Body& body_;
+    const RefineOptions& options_;
+    double size_ = 1.0;   ///< longest side of the extent
+    double off_ = 0.0;    ///< triangles may be so far from the surface
+    double least_ = 0.0;  ///< edges are not made shorter
+    HalfEdges mesh_;
+    std::size_t most_triangles_ = 0;
+    bool overrun_ = false;             ///< there would be more
+    std::vector<SurfacePoint> feet_;   ///< by triangle, of its middle
+    std::vector<Kind> kinds_;          ///< by vertex
+    std::vector<double> lengths_;      ///< by vertex: of edges about it
+    std::vector<glm::dvec3> normals_;  ///< by vertex, of smooth ones that lie on the surface; else 0
+};
+
+/// Twice a triangle's area along its normal.
+inline glm::dvec3 cross_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    return glm::cross(b - a, c - a);
+}
+
+/// The cosine of a triangle's least angle; -1 of one without area.
+double sharpest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+}  // namespace solid

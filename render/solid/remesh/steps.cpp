@@ -1,0 +1,168 @@
+#include "render/solid/remesh/remesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solid {
+namespace {
+
+constexpr double kLong = 4.0 / 3.0, kShort = 4.0 / 5.0;  // of the wanted length (Botsch and Kobbelt)
+constexpr double kFacing = 0.906;  // cosine of 25 degrees: triangles that connections make look so near to the surface
+constexpr double kNearlyLongest = 0.99;
+constexpr double kHalf = 0.5;           // and this near at least, if they looked farther away
+constexpr double kNearFacing = 0.98;    // of 11: they do not get worse than that by a flip
+constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
+constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
+constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
+constexpr int kMostSweeps = 8;
+
+double facing_of(const glm::dvec3& cross, const glm::dvec3& facing)
+{
+    const double area = glm::length(cross);
+    return area > 0.0 ? glm::dot(cross, facing) / area : -1.0;
+}
+
+}  // namespace
+
+double sharpest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    // The least angle lies across the shortest side.
+    const glm::dvec3 ab = b - a, bc = c - b, ca = a - c;
+    const double x = glm::dot(ab, ab), y = glm::dot(bc, bc), z = glm::dot(ca, ca);
+    if (!(x > 0.0 && y > 0.0 && z > 0.0)) return 1.0;
+    if (x <= y && x <= z) return -glm::dot(bc, ca) / std::sqrt(y * z);
+    if (y <= z) return -glm::dot(ca, ab) / std::sqrt(z * x);
+    return -glm::dot(ab, bc) / std::sqrt(x * y);
+}
+
+/// Whether an edge is the longest of both its triangles: others wait, or thin triangles would multiply (Rivara, 1984).
+bool Remesher::is_longest(Index h) const
+{
+    const Index t = mesh_.twin(h);
+    double longest = 0.0;
+    for (const Index other : {HalfEdges::next(h), HalfEdges::before(h), HalfEdges::next(t), HalfEdges::before(t)})
+        longest = std::max(longest, length(other));
+    return length(h) >= kNearlyLongest * longest;
+}
+
+std::size_t Remesher::split_long()
+{
+    std::size_t done = 0;
+    for (int sweep = 0; sweep < kMostSweeps && !overrun_; ++sweep) {
+        std::size_t now = 0;
+        const auto count = static_cast<Index>(3 * mesh_.triangles());
+        for (Index h = 0; h < count; ++h) {
+            if (!mesh_.has_triangle(h / 3) || mesh_.twin(h) < h) continue;
+            if (length(h) <= kLong * wanted_length(h) || !is_longest(h)) continue;
+            const Index u = mesh_.tail(h), v = mesh_.head(h);
+            const bool sharp = mesh_.is_sharp(h);
+            mesh_.split(h, 0.5 * (mesh_.places[u] + mesh_.places[v]));
+            kinds_.push_back(sharp ? Kind::Crease : Kind::Smooth);
+            lengths_.push_back(0.5 * (lengths_[u] + lengths_[v]));
+            normals_.emplace_back(0.0);
+            ++now;
+        }
+        done += now;
+        overrun_ = mesh_.triangles() > most_triangles_;
+        if (now == 0 || overrun_) break;
+        flip_better();
+    }
+    return done;
+}
+
+/// Whether the tail may be put into the head: no edge of the body is lost, and no triangle turns over or becomes long.
+bool Remesher::may_collapse(Index h) const
+{
+    const Index u = mesh_.tail(h), v = mesh_.head(h);
+    if (kinds_[u] == Kind::Corner) return false;
+    if (kinds_[u] == Kind::Crease && !mesh_.is_sharp(h)) return false;
+    if (!mesh_.can_collapse(h)) return false;
+    const glm::dvec3 from = mesh_.places[u], to = mesh_.places[v];
+    bool good = true;
+    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0;
+    mesh_.each_out(u, [&](Index o) {
+        if (!good) return;
+        const Index w = mesh_.head(o), x = mesh_.tail(HalfEdges::before(o));
+        if (w != v && glm::length(mesh_.places[w] - to) > kLong * std::min(lengths_[w], lengths_[v]) &&
+            glm::length(mesh_.places[w] - to) > glm::length(mesh_.places[w] - from)) {
+            good = false;
+            return;
+        }
+        worst_before = std::max(worst_before, sharpest_cosine(from, mesh_.places[w], mesh_.places[x]));
+        if (w == v || x == v) return;
+        const glm::dvec3 n = cross_of(to, mesh_.places[w], mesh_.places[x]);
+        const double own = facing_of(n, mesh_.facing[o / 3]);
+        const double old = facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]), mesh_.facing[o / 3]);
+        if (own < kFacing && (own < kHalf || own <= old)) {
+            good = false;
+            return;
+        }
+        worst_after = std::max(worst_after, sharpest_cosine(to, mesh_.places[w], mesh_.places[x]));
+        nearest = std::min(nearest, std::abs(glm::dot(from - to, n)) / glm::length(n));
+        if (kinds_[u] == Kind::Crease && mesh_.is_sharp(o)) {
+            // The edge is bent no farther off than triangles may be.
+            const glm::dvec3 along = glm::normalize(mesh_.places[w] - to), d = from - to;
+            if (glm::length(d - along * glm::dot(d, along)) > off_) good = false;
+        }
+    });
+    if (!good || nearest > off_) return false;
+    return worst_after < kWellShaped || (worst_after < worst_before + 1e-9) ||
+           (worst_after < kBarely && length(h) < 0.3 * wanted_length(h));
+}
+
+std::size_t Remesher::collapse_short()
+{
+    std::size_t done = 0;
+    for (int sweep = 0; sweep < 2 * kMostSweeps; ++sweep) {
+        std::size_t now = 0;
+        for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
+            if (!mesh_.has_triangle(h / 3)) continue;
+            if (length(h) >= kShort * wanted_length(h) || !may_collapse(h)) continue;
+            mesh_.collapse(h);
+            ++now;
+        }
+        done += now;
+        if (now == 0) break;
+    }
+    return done;
+}
+
+bool Remesher::may_flip(Index h) const
+{
+    if (mesh_.is_sharp(h) || !mesh_.can_flip(h)) return false;
+    const Index t = mesh_.twin(h);
+    const glm::dvec3 u = mesh_.places[mesh_.tail(h)], v = mesh_.places[mesh_.head(h)],
+                     w = mesh_.places[mesh_.tail(HalfEdges::before(h))],
+                     x = mesh_.places[mesh_.tail(HalfEdges::before(t))];
+    const glm::dvec3 both = mesh_.facing[h / 3] + mesh_.facing[t / 3];
+    const double sum = glm::length(both);
+    if (!(sum > 0.1)) return false;
+    const double before = std::min(facing_of(cross_of(u, v, w), both / sum), facing_of(cross_of(v, u, x), both / sum)),
+                 after = std::min(facing_of(cross_of(x, w, u), both / sum), facing_of(cross_of(w, x, v), both / sum));
+    if (after < std::min(before, kNearFacing)) return false;
+    if (after > before + 0.02 && before < kFacing) return true;
+    const double own = std::max(sharpest_cosine(u, v, w), sharpest_cosine(v, u, x)),
+                 turned = std::max(sharpest_cosine(x, w, u), sharpest_cosine(w, x, v));
+    return turned < own - kBetterAngle;
+}
+
+std::size_t Remesher::flip_better()
+{
+    std::size_t done = 0;
+    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+        std::size_t now = 0;
+        for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
+            if (!mesh_.has_triangle(h / 3) || mesh_.twin(h) < h || !may_flip(h)) continue;
+            const Index t = mesh_.twin(h);
+            const glm::dvec3 both = glm::normalize(mesh_.facing[h / 3] + mesh_.facing[t / 3]);
+            mesh_.flip(h);
+            mesh_.facing[h / 3] = mesh_.facing[t / 3] = both;
+            ++now;
+        }
+        done += now;
+        if (now == 0) break;
+    }
+    return done;
+}
+
+}  // namespace solid

@@ -1,0 +1,90 @@
+#include "render/solid/measure/measure.h"
+#include "render/solid/mesh/check.h"
+#include "render/solid/remesh/crossings.h"
+#include "render/solid/remesh/half_edges.h"
+#include "render/solid/mesh/mesher.h"
+#include "render/solid/remesh/remesh.h"
+#include "tests/render/solid/body_of.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+solid::TriangleMesh remeshed(const char* scene, double tolerance)
+{
+    const solid::Body body = body_of(scene);
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = solid::require_extent(body, error, rays);
+    solid::RefineOptions options;
+    options.tolerance = tolerance;
+    solid::MeshFacts facts;
+    return solid::good_mesh_of(body, extent, options, facts);
+}
+
+/// The corners of a tetrahedron, an octahedron's and more: a closed mesh to change.
+solid::TriangleMesh octahedron()
+{
+    solid::TriangleMesh mesh;
+    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("connections change and the mesh stays closed", "[solid]")
+{
+    solid::HalfEdges mesh;
+    REQUIRE(mesh.take(octahedron()));
+    const double volume = solid::check(mesh.mesh()).volume;
+    for (std::uint32_t h = 0; h < 24; ++h) {
+        mesh.split(h, 0.5 * (mesh.places[mesh.tail(h)] + mesh.places[mesh.head(h)]));
+        const solid::MeshCheck found = solid::check(mesh.mesh());
+        REQUIRE(found.good());
+        REQUIRE(found.volume == Approx(volume));
+    }
+    std::size_t flipped = 0, collapsed = 0;
+    for (std::uint32_t h = 0; h < 3 * mesh.triangles(); h += 7) {
+        if (!mesh.can_flip(h)) continue;
+        mesh.flip(h);
+        ++flipped;
+        REQUIRE(solid::check(mesh.mesh()).good());
+    }
+    CHECK(flipped > 5);
+    for (std::uint32_t h = 0; h < 3 * mesh.triangles(); ++h) {
+        if (!mesh.has_triangle(h / 3) || !mesh.can_collapse(h)) continue;
+        mesh.collapse(h);
+        ++collapsed;
+        REQUIRE(solid::check(mesh.mesh()).open_edges == 0);
+        REQUIRE(solid::check(mesh.mesh()).crowded_edges == 0);
+        REQUIRE(solid::check(mesh.mesh()).crowded_vertices == 0);
+    }
+    CHECK(collapsed > 15);
+    CHECK(mesh.mesh().triangles.size() >= 4);
+}
+
+TEST_CASE("threads make no difference to a mesh", "[solid]")
+{
+    const char* const scene = "difference { sphere { 0, 1 } torus { 0.7, 0.4 } }";
+    const solid::TriangleMesh many = remeshed(scene, 0.02);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const solid::TriangleMesh alone = remeshed(scene, 0.02);
+    CHECK(many.triangles == alone.triangles);
+    CHECK(many.vertices == alone.vertices);
+    CHECK(many.normals == alone.normals);
+}
+
+TEST_CASE("crossings are counted", "[solid]")
+{
+    solid::TriangleMesh mesh = octahedron();
+    CHECK(solid::crossings(mesh) == 0);
+    solid::TriangleMesh other = mesh;
+    for (glm::vec3& v : other.vertices) mesh.vertices.push_back(v + glm::vec3(0.5f, 0.1f, 0.2f));
+    for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+    CHECK(solid::crossings(mesh) > 3);
+}
