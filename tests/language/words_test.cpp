@@ -179,7 +179,7 @@ std::vector<Spot> solids()
          {},
          "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2 0,x,y,z, 0,x,y,z, 0,x,y,z, 0,x,y,z",
          {"bicubic_patch {", "bicubic_patch { type 1"}},
-        {Kind::Mesh, {}, "mesh { triangle { 0, x, y }", {}},
+        {Kind::Mesh, {}, "mesh { triangle { 0, x, y }", {"mesh { obj \"none.obj\""}},
         {Kind::Mesh2,
          {},
          "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> }",

@@ -49,6 +49,7 @@ std::optional<std::string> TokenStream::key_ahead(const Cursor& in, std::uint32_
 {
     if (at + 1 >= in.end) return std::nullopt;
     if (in.tokens[at].kind == Kind::Period) {
+        if (in.tokens[at + 1].name == kNoIndex) return std::nullopt;  // no word: read_key() says so
         at += 2;
         return word(in.tokens[at - 1]);
     }

@@ -183,3 +183,13 @@ TEST_CASE("a pattern after another begins anew in 3.8 and keeps its place before
             CHECK(pattern.noise_generator == (newer ? 0 : 1));
         }
 }
+
+TEST_CASE("a period without a member is an error wherever a name may stand", "[parser][language]")
+{
+    const std::string declared = "#version 3.8;\n#declare D = dictionary { .A: 1 }\n";
+    for (const char* text :
+         {"sphere { 0, 1 translate D.}", "sphere { 0, 1 translate local.}", "object { D.< }", "D."}) {
+        INFO(text);
+        CHECK_FALSE(error_of(declared + text).empty());
+    }
+}
