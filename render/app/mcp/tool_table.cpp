@@ -4,49 +4,49 @@
 namespace app::mcp {
 namespace {
 
-#define WHITTLE_SCENE_PROPERTIES                                                                                       \
+const std::string kSceneProperties =
     R"("scene": {"type": "string", "description": "text of a POV-Ray scene; either this or file"},
        "file": {"type": "string", "description": "a .pov file below the server's folder"},
        "declare": {"type": "object", "description": "numbers or texts that the scene finds declared, by name"},
        "clock": {"type": "number", "description": "the scene's clock; usual: 0"},
-       "seconds": {"type": "number", "description": "time after which it is stopped; at most the server's limit"})"
-#define WHITTLE_SIZE_PROPERTIES                                                                                        \
+       "seconds": {"type": "number", "description": "time after which it is stopped; at most the server's limit"})";
+const std::string kSizeProperties =
     R"("width": {"type": "integer", "description": "of the picture; usual: 320"},
-       "height": {"type": "integer", "description": "of the picture; usual: 240"})"
-#define WHITTLE_OBJECT_PROPERTY                                                                                        \
-    R"("object": {"type": "string", "description": "a declared name; usual: all objects of the scene"})"
+       "height": {"type": "integer", "description": "of the picture; usual: 240"})";
+const std::string kObjectProperty =
+    R"("object": {"type": "string", "description": "a declared name; usual: all objects of the scene"})";
 
 // clang-format off
 const std::vector<Tool> kTools = {
     {"check", "Check a scene",
      "Reads a scene without rendering it and tells errors and warnings with file, line, column, source line, cause, and a "
      "suggestion where a word was misspelt. Fast: use it before every render.",
-     WHITTLE_SCENE_PROPERTIES, "[]", check_tool},
+     kSceneProperties, "[]", check_tool},
     {"render", "Render a picture",
      "Renders a scene as a PNG picture. Begin small (320x240, no antialias). The picture is kept under the name that is told, "
      "for compare. Stopped for its time, it gives what was done.",
-     WHITTLE_SCENE_PROPERTIES ", " WHITTLE_SIZE_PROPERTIES R"(, "antialias": {"type": "boolean", "description": "smooth edges; usual: false"})",
+     kSceneProperties + ", " + kSizeProperties + R"(, "antialias": {"type": "boolean", "description": "smooth edges; usual: false"})",
      "[]", render_tool},
     {"pixel", "Explain a pixel",
      "Why a pixel has its colour: the tree of its rays, what they meet at which line of the text, pigment, normal, what each "
      "light gives. Use it where a part of the picture is black, missing or of a wrong colour.",
-     WHITTLE_SCENE_PROPERTIES ", " WHITTLE_SIZE_PROPERTIES R"(, "x": {"type": "integer", "description": "column, from 0 at the left"},
+     kSceneProperties + ", " + kSizeProperties + R"(, "x": {"type": "integer", "description": "column, from 0 at the left"},
        "y": {"type": "integer", "description": "row, from 0 at the top"})",
      R"(["x", "y"])", pixel_tool},
     {"info", "Measure objects",
      "Extent, volume, surface, centre of mass and inertia of each object, with error bounds, one JSON object a line.",
-     WHITTLE_SCENE_PROPERTIES ", " WHITTLE_OBJECT_PROPERTY
+     kSceneProperties + ", " + kObjectProperty +
      R"(, "precision": {"type": "number", "description": "share that volume and surface may be off by; usual: 2e-4"})",
      "[]", info_tool},
     {"section", "Cut by a plane",
      "What the plane in which x, y or z has a value cuts of the objects, as an SVG drawing in scene units, with area and length.",
-     WHITTLE_SCENE_PROPERTIES ", " WHITTLE_OBJECT_PROPERTY
+     kSceneProperties + ", " + kObjectProperty +
      R"(, "axis": {"type": "string", "enum": ["x", "y", "z"]}, "value": {"type": "number"},
        "tolerance": {"type": "number", "description": "scene units that it may be off by; usual: 0.01"})",
      R"(["axis", "value"])", section_tool},
     {"mesh", "Make a triangle mesh",
      "Each object as a closed triangle mesh for printing, with checks and its deviation from the exact object.",
-     WHITTLE_SCENE_PROPERTIES ", " WHITTLE_OBJECT_PROPERTY
+     kSceneProperties + ", " + kObjectProperty +
      R"(, "format": {"type": "string", "enum": ["stl", "obj", "ply", "3mf"], "description": "usual: stl"},
        "tolerance": {"type": "number", "description": "scene units that it may be off by; usual: 0.01"})",
      "[]", mesh_tool},

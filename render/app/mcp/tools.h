@@ -63,7 +63,7 @@ struct ToolFailure : std::runtime_error {
 
 struct Tool {
     std::string_view name, title, meaning;
-    std::string_view properties;                     ///< JSON: those of the schema of its arguments
+    std::string properties;                          ///< JSON: those of the schema of its arguments
     std::string_view required;                       ///< JSON: their names
     json (*call)(Workshop&, const json& arguments);  ///< the result as the protocol has it
 };
