@@ -15,12 +15,14 @@ done
 
 # arm64's libraries below $sysroot: unpacked, with an apt of its own, so that this machine's packages stay what they are.
 fetch_root() {
-    local apt=$folder/apt release package link
+    local apt=$folder/apt release mirror package link
     release=$(. /etc/os-release && echo "$VERSION_CODENAME")
     rm -rf "$apt" "$sysroot"
     mkdir -p "$apt"/{state,archives/partial,lists/partial} "$sysroot"
     : >"$apt/status"
-    echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $release main" >"$apt/sources.list"
+    # Where this machine has its own packages from.
+    mirror=$(apt-get indextargets --format '$(REPO_URI)' "Codename: $release" 'Created-By: Packages' | head -n 1)
+    echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] ${mirror:?of $release: run apt-get update} $release main" >"$apt/sources.list"
     cat >"$apt/apt.conf" <<EOF
 APT::Architecture "arm64";
 APT::Architectures { "arm64"; };
