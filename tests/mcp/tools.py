@@ -89,6 +89,8 @@ def check_tools(client, folder):
     assert abs(json.loads(text.split("\n")[0])["area"] - 2.356) < 0.05, text
     result, text = client.call("mesh", scene=SCENE, tolerance=0.1, format="obj")
     assert b"\nf " in base64.b64decode(result["content"][1]["resource"]["blob"]), text
+    result, text = client.call("mesh", scene=SCENE, tolerance=0.1, format="glb")
+    assert base64.b64decode(result["content"][1]["resource"]["blob"]).startswith(b"glTF"), text
     result, text = client.call("explain_keyword", word="reflection", block="finish")
     assert "may stand" in text and "finish" in text, text
     assert client.call("explain_keyword", word="no_such_word")[0]["isError"]

@@ -47,7 +47,7 @@ const std::vector<Tool> kTools = {
     {"mesh", "Make a triangle mesh",
      "Each object as a closed triangle mesh for printing, with checks and its deviation from the exact object.",
      kSceneProperties + ", " + kObjectProperty +
-     R"(, "format": {"type": "string", "enum": ["stl", "obj", "ply", "3mf"], "description": "usual: stl"},
+     R"(, "format": {"type": "string", "enum": ["stl", "obj", "ply", "3mf", "glb"], "description": "usual: stl"},
        "tolerance": {"type": "number", "description": "scene units that it may be off by; usual: 0.01"})",
      "[]", mesh_tool},
     {"compare", "Compare two pictures",

@@ -264,11 +264,15 @@ json mesh_tool(Workshop& shop, const json& arguments)
     struct Form {
         const char *name, *type;
     };
-    constexpr Form kForms[] = {
-        {"stl", "model/stl"}, {"obj", "model/obj"}, {"ply", "application/octet-stream"}, {"3mf", "model/3mf"}};
+    constexpr Form kForms[] = {{"stl", "model/stl"},
+                               {"obj", "model/obj"},
+                               {"ply", "application/octet-stream"},
+                               {"3mf", "model/3mf"},
+                               {"glb", "model/gltf-binary"}};
     const auto* const form =
         std::find_if(std::begin(kForms), std::end(kForms), [&](const Form& f) { return f.name == format; });
-    if (form == std::end(kForms)) throw Refusal(ErrorCode::InvalidParams, "'format' has to be stl, obj, ply or 3mf");
+    if (form == std::end(kForms))
+        throw Refusal(ErrorCode::InvalidParams, "'format' has to be stl, obj, ply, 3mf or glb");
     Words words = words_for(shop, arguments);
     add_object(words, arguments);
     add_value(words, arguments, "tolerance", "--tolerance", 1e-6, 1e6);
