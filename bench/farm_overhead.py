@@ -19,8 +19,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES, EXAMPLES = ROOT / "bench/scenes/everyday", pathlib.Path("/usr/share/doc/povray/examples")  # of the package povray-examples
 # name: scene, options, tasks, frames
-JOBS = {"plain": (SCENES / "lens_and_area_light.pov", "+W1440 +H1080 +A0.1", 64, 0),
-        "radiosity": (EXAMPLES / "radiosity/cornell.pov", "+W1920 +H1440 +A0.3", 64, 0),
+JOBS = {"plain": (SCENES / "lens_and_area_light.pov", "+W1920 +H1440 +A0.1", 64, 0),
+        "radiosity": (EXAMPLES / "radiosity/cornell.pov", "+W5120 +H3840 +A0.3", 64, 0),
         "frames": (SCENES / "glass_balls.pov", "+W160 +H120 +A0.3", 20, 200)}
 
 
