@@ -101,7 +101,7 @@ void PictureRun::prepare_strip(std::size_t first, std::size_t last)
         const trace::Block top = blocks_[first * blocks_.per_row()], bottom = blocks_[last * blocks_.per_row() - 1];
         picture_.hold(top.top, bottom.top + bottom.height - top.top);
     } else {
-        picture_.hold(0, settings_.height);
+        picture_.hold(0, settings_.height, part_ ? image::Pages::small : image::Pages::large);
     }
     const std::size_t begin = first * blocks_.per_row(), end = last * blocks_.per_row();
     if (state_) state_->load(begin, end, picture_);

@@ -16,11 +16,13 @@ struct Image {
     std::vector<float, PageAllocator<float>> pixels;  ///< 4 * width for each row that is here
     int top = 0;  ///< the first row that is here; all rows are unless the picture is made in strips
 
-    /// Rows [first, first + count), black and opaque, in place of what was here.
-    void hold(int first, int count)
+    /// Rows [first, first + count), black and opaque, in place of what was here. Small pages are for a picture of which
+    /// few blocks are made.
+    void hold(int first, int count, Pages pages = Pages::large)
     {
         top = first;
-        pixels.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(count), 0.0f);
+        pixels = decltype(pixels)(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(count),
+                                  PageAllocator<float>(pages));
     }
     /// Of the whole picture's pixel.
     float* at(int x, int y)
