@@ -39,7 +39,8 @@ public:
             [this](const httplib::Request& request, httplib::Response& response) { return let_in(request, response); });
         http_.set_exception_handler(
             [](const httplib::Request&, httplib::Response& response, std::exception_ptr) { response.status = 500; });
-        for (const char* path : {"set", "compare"})  // requests with a body; all else is answered before routing
+        for (const char* path :
+             {"set", "compare", "show", "write", "open"})  // requests with a body; all else is answered before routing
             http_.Post(base_ + path, [this](const httplib::Request& q, httplib::Response& r) { answer(true, q, r); });
         port_ = port == 0 ? http_.bind_to_any_port("127.0.0.1") : http_.bind_to_port("127.0.0.1", port) ? port : -1;
         if (port_ > 0) listening_ = std::thread([this] { http_.listen_after_bind(); });

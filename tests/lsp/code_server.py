@@ -1,5 +1,5 @@
 """The extension for Visual Studio Code in the editor itself: code-server, which is Visual Studio Code behind a web server, driven in headless
-Chromium. Colours, diagnostics, the page of `whittle watch` beside the text.
+Chromium. Colours, diagnostics, hover, and with `whittle watch` both ways: a click on the picture shows the line, the cursor lights up the picture.
 
 usage: code_server.py WHITTLE [--shots FOLDER]     exit status 0: passed, 77: no code-server or no browser
 
@@ -108,6 +108,7 @@ def main():
             page.wait("[...document.querySelectorAll('.tab')].some(t => /Simple Browser/.test(t.innerText + t.ariaLabel))", 60)
             time.sleep(3)
             shot("page")
+            check_both_ways(page, server, work, folder, shot)
             assert not page.ask("document.querySelector('.squiggly-error') !== null")
     finally:
         server.close()
@@ -117,6 +118,31 @@ def main():
                 break
             time.sleep(0.2)
     return 0
+
+
+def check_both_ways(page, server, work, folder, shot):
+    """Messages between both go by a folder of sockets: another end listens here and speaks, as a page would."""
+    print("the cursor is told, a place is shown")
+    mail = folder / "whittle"
+    ear = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    ear.bind(str(mail / "watch-0"))
+    ear.settimeout(20)
+    page.ask("document.querySelector('.monaco-editor textarea, .monaco-editor .native-edit-context').focus()")
+    page.key("ArrowDown")
+    told = json.loads(ear.recv(65536))["cursor"]
+    assert told["file"] == str(work / "scene.pov"), told
+    language_server = next(name for name in os.listdir(mail) if name.startswith("lsp-"))
+    ear.sendto(json.dumps({"show": {"file": told["file"], "line": 6, "column": 1}}).encode(), str(mail / language_server))
+    while "shown" not in (answer := json.loads(ear.recv(65536))):
+        pass
+    assert answer["shown"]["line"] == 6
+    page.wait("[...document.querySelectorAll('.statusbar-item')].some(i => /Ln 6, Col/.test(i.innerText))")
+    at = SCENE.index("sphere")
+    while (told := json.loads(ear.recv(65536)).get("cursor", {})).get("offset") not in range(at, at + 7):
+        pass
+    ear.close()
+    os.unlink(mail / "watch-0")
+    shot("shown")
 
 
 if __name__ == "__main__":

@@ -66,8 +66,12 @@ def states(program, shots):
     with Watched(program, {"scene.pov": SCENE}, SIZE) as watched, browser.Browser() as page:
         seen = Seen(page, watched, shots)
 
-        def well():
+        def opened():
             page.ask(OPEN)
+            page.wait("state.gallery && Object.keys(state.gallery).length === gallery.children.length")
+
+        def well():
+            opened()
             seen.choose("compare", "before")
             page.ask("pick(80, 60)")
             page.wait("state.picked")
@@ -75,7 +79,7 @@ def states(program, shots):
         yield "well", seen, well
         watched.write(watched.scene, WRONG)
         page.wait("state.wrong && byId('age').textContent")
-        yield "wrong", seen, lambda: (page.wait("state.wrong && byId('age').textContent"), page.ask(OPEN))
+        yield "wrong", seen, lambda: (page.wait("state.wrong && byId('age').textContent"), opened())
         assert not page.complaints(), page.complaints()
     with Watched(program, {"scene.pov": WRONG}, SIZE) as watched, browser.Browser() as page:
         yield "first", Seen(page, watched, shots, "state.wrong"), lambda: page.wait("state.wrong")

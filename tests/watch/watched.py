@@ -9,6 +9,7 @@ import time
 
 import browser
 
+FIRST_WHOLE_PASS = 4  # 1/1, behind 1/16, 1/8, 1/4 and 1/2
 NO_BROWSER = 77  # exit status that ctest takes for "skipped"
 
 
@@ -18,6 +19,7 @@ def asked():
     parser.add_argument("whittle")
     parser.add_argument("--shots", help="folder for screenshots")
     arguments = parser.parse_args()
+    arguments.whittle = os.path.abspath(arguments.whittle)
     if not browser.find():
         print("no chromium: the page is not tested")
         return None
@@ -130,6 +132,44 @@ class Seen:
     def choose(self, control, value, event="change"):
         """As a hand sets a control of the page."""
         self.page.ask(f"byId('{control}').value = '{value}'; byId('{control}').dispatchEvent(new Event('{event}'))")
+
+    def slide(self, value):
+        """Moves the first slider of the numbers. Milliseconds by the browser's clock until each pixel is of that value, and the program's own
+        of reading and planning and of tracing these."""
+        took = self.page.ask(f"""new Promise(done => {{
+          const range = document.querySelector('#numbers input[type=range]'), from = performance.now();
+          const look = () => {{
+            if (shown.scene?.request !== firstRequest + requests || shown.areas[{FIRST_WHOLE_PASS}] !== picture.width * picture.height) return;
+            source.removeEventListener('block', look);
+            done(performance.now() - from);
+          }};
+          source.addEventListener('block', look);
+          range.value = {value};
+          range.oninput();
+        }})""")
+        self.page.wait("state.doneGeneration === state.generation")
+        times = self.page.ask("[...byId('times').rows].map(row => [row.cells[0].textContent, parseFloat(row.cells[1].textContent)])")
+        traced = sum(ms for name, ms in times if name.startswith("1/"))
+        return took, sum(ms for name, ms in times if name in ("parse", "plan")), traced
+
+    def sweep(self, low, high, seconds=1, moves=60):
+        """Moves it from one value to another as a hand does, so often a second; how many whole pictures were seen meanwhile."""
+        return self.page.ask(f"""new Promise(done => {{
+          const range = document.querySelector('#numbers input[type=range]'), from = performance.now(), seen = new Set();
+          const look = () => {{ if (shown.scene?.request > first) seen.add(shown.scene.g); }}, first = firstRequest + requests;
+          source.addEventListener('block', look);
+          const move = () => {{
+            const share = (performance.now() - from) / {1e3 * seconds};
+            if (share >= 1) {{
+              source.removeEventListener('block', look);
+              return done(seen.size);
+            }}
+            range.value = {low} + ({high} - {low}) * share;
+            range.oninput();
+            setTimeout(move, {1e3 / moves});
+          }};
+          move();
+        }})""")
 
     def save_until(self, text, enough, seconds=60):
         """Saves the scene again and again until `enough(when it was saved)` is true. What a page sees of one save the machine's other

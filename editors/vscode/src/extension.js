@@ -1,4 +1,4 @@
-// Starts `whittle lsp` for scenes, tells it where the cursor is, opens a scene's page; all else is the language client's.
+// Starts `whittle lsp` for scenes, tells it where the cursor is (for `whittle watch`), opens a scene's page; all else is the language client's.
 const { spawn } = require("child_process");
 const vscode = require("vscode");
 const { LanguageClient, TransportKind } = require("vscode-languageclient/node");

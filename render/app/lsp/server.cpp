@@ -1,5 +1,6 @@
 #include "render/app/lsp/server.h"
 
+#include "render/app/lsp/asked.h"
 #include "render/app/lsp/capabilities.h"
 #include "render/app/lsp/rpc.h"
 #include "render/app/lsp/uri.h"
@@ -55,7 +56,8 @@ Server::Server(const Settings& settings, const Limits& limits, std::vector<std::
                                                   return value_of(path, name);
                                               },
                                               [this](const std::string& path) { return uri_of(path); }},
-      reader_(settings, limits, [this](Reading&& reading) { take_reading(std::move(reading)); })
+      reader_(settings, limits, [this](Reading&& reading) { take_reading(std::move(reading)); }),
+      watch_(world_, mutex_, [this](const json& message) { send(message); })
 {}
 
 void Server::complain(ErrorCode code, const std::string& text) { send(error_reply(nullptr, code, text)); }
@@ -96,6 +98,7 @@ json Server::result_of(const std::string& method, const json& parameters)
         state_ = State::ShutDown;
         return nullptr;
     }
+    if (method == "textDocument/documentHighlight") tell_cursor(parameters);
     for (const Request& request : kRequests)
         if (request.method == method) return request.answer(world_, parameters);
     throw Refusal(ErrorCode::MethodNotFound, "there is no method '" + method + "'");
@@ -104,6 +107,7 @@ json Server::result_of(const std::string& method, const json& parameters)
 json Server::initialize(const json& parameters)
 {
     world_.encoding = encoding_for(parameters);
+    watch_.set_client(parameters);
     const json* const folders = find_member(parameters, {"workspaceFolders"});
     if (folders != nullptr && folders->is_array())
         for (const json& folder : *folders)
@@ -128,6 +132,7 @@ void Server::notice(const std::string& method, const json& parameters)
         if (method == "textDocument/didOpen") did_open(parameters);
         else if (method == "textDocument/didChange") did_change(parameters);
         else if (method == "textDocument/didClose") did_close(parameters);
+        else if (method == "whittle/cursor") tell_cursor(parameters);
         else if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") read_all();
     } catch (const std::exception&) {
         // A notification has no answer, and what is wrong with it is the client's.
@@ -176,6 +181,14 @@ void Server::did_close(const json& parameters)
     values_.erase(path);
     replace_diagnostics(path, {});
     read_all();
+}
+
+/// Pages of `whittle watch` light up what stands there. Clients that say nothing of their cursor ask for the highlights
+/// of a word there.
+void Server::tell_cursor(const json& parameters)
+{
+    const Asked asked(world_, parameters);
+    watch_.cursor(asked.path, asked.offset(world_, parameters));
 }
 
 void Server::changed(const std::string& path)

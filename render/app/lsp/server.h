@@ -5,6 +5,7 @@
 #include "render/app/lsp/diagnostics.h"
 #include "render/app/lsp/framing.h"
 #include "render/app/lsp/reading.h"
+#include "render/app/lsp/watch_link.h"
 
 #include <map>
 #include <mutex>
@@ -46,6 +47,7 @@ private:
     void did_open(const json& parameters);
     void did_change(const json& parameters);
     void did_close(const json& parameters);
+    void tell_cursor(const json& parameters);
     void changed(const std::string& path);
     void read_all();
     void take_reading(Reading&& reading);
@@ -64,7 +66,8 @@ private:
     std::map<std::string, OpenText> open_;                              ///< by path
     std::map<std::string, Diagnostics> told_;                           ///< by scene
     std::map<std::string, std::map<std::string, std::string>> values_;  ///< by scene, of its last whole reading
-    Reader reader_;                                                     ///< ends first
+    Reader reader_;                                                     ///< ends early
+    WatchLink watch_;                                                   ///< ends first
 };
 
 }  // namespace app::lsp

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostAtOnce = 262144;  // bytes a read: a client that is slow holds no more
 constexpr auto kWait = std::chrono::seconds(1);
-constexpr std::array kEventNames = {"text", "scene", "controls", "messages", "block", "progress", "done", "compared"};
+constexpr std::array kEventNames = {"text",     "scene", "controls", "messages", "block",
+                                    "progress", "done",  "compared", "focus"};
 
 }  // namespace
 

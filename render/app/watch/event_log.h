@@ -13,7 +13,7 @@ namespace app {
 class EventLog {
 public:
     /// Of each the last one counts, but for blocks, which add up to a picture, and the scene that these are of.
-    enum class Kind { Text, Scene, Controls, Messages, Block, Progress, Done, Compared };
+    enum class Kind { Text, Scene, Controls, Messages, Block, Progress, Done, Compared, Focus };
 
     /// \param json  of one line
     /// \param pass  of a block, larger ones finer

@@ -35,11 +35,12 @@ public:
           generation_(generation), events_(events), times_(times)
     {}
 
-    bool run()
+    bool run(bool coarse)
     {
         const bool antialiases = whole_.antialiasing.method != 0;
         const bool indirect = compiled_.photons != nullptr || compiled_.radiosity != nullptr;
-        for (std::size_t pass = 0; pass < kSteps.size(); ++pass) {
+        const std::size_t first = coarse || indirect ? 0 : kSteps.size() - 1;
+        for (std::size_t pass = first; pass < kSteps.size(); ++pass) {
             if (!trace(static_cast<int>(pass), kSteps[pass], false)) return false;
             if (indirect && pass == kIndirectAfter && !find_indirect()) return false;
         }
@@ -119,9 +120,9 @@ private:
 }  // namespace
 
 bool trace_passes(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
-                  int generation, EventLog& events, PassTimes& times)
+                  bool coarse, int generation, EventLog& events, PassTimes& times)
 {
-    return PassTracer(compiled, options, encoding, generation, events, times).run();
+    return PassTracer(compiled, options, encoding, generation, events, times).run(coarse);
 }
 
 }  // namespace app

@@ -15,8 +15,9 @@ using PassTimes = std::vector<std::pair<std::string, double>>;
 
 /// Traces a picture coarse to fine and tells of its blocks.
 /// \param compiled its options' size and window are changed meanwhile, as the passes need them
+/// \param coarse false: the pass of all pixels is the first, unless radiosity or photons come before it
 /// \return false: cancelled
 bool trace_passes(plan::CompiledScene& compiled, const trace::RenderOptions& options, const image::Encoding& encoding,
-                  int generation, EventLog& events, PassTimes& times);
+                  bool coarse, int generation, EventLog& events, PassTimes& times);
 
 }  // namespace app

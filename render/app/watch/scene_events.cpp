@@ -39,9 +39,14 @@ std::string text_event(int generation, const std::string& file, std::int64_t rea
     return line_of_json({{"g", generation}, {"file", file}, {"at", read_at}});
 }
 
-std::string scene_event(int generation, int width, int height, std::int64_t text)
+std::string scene_event(int generation, int width, int height, std::int64_t text, double clock, std::uint64_t request)
 {
-    return line_of_json({{"g", generation}, {"width", width}, {"height", height}, {"text", text}});
+    return line_of_json({{"g", generation},
+                         {"width", width},
+                         {"height", height},
+                         {"text", text},
+                         {"clock", clock},
+                         {"request", request}});
 }
 
 std::string done_event(int generation, double total, const PassTimes& times, const trace::RayCounts* rays)
@@ -53,14 +58,21 @@ std::string done_event(int generation, double total, const PassTimes& times, con
 }
 
 std::string controls_event(const View& view, double clock, const std::vector<parser::SceneConstant>& constants,
-                           const std::string& camera)
+                           const std::string& camera, const FrameList& frames)
 {
-    json out{{"clock", clock}, {"camera", camera}, {"constants", json::array()}};
+    json out{{"clock", clock}, {"camera", camera}, {"constants", json::array()}, {"numbers", json::array()}};
     for (const parser::SceneConstant& constant : constants) {
         const auto set = view.declared.find(constant.name);
         const double value = set != view.declared.end() ? set->second : constant.value.value_or(0.0);
         out["constants"].push_back({{"name", constant.name}, {"value", value}, {"set", set != view.declared.end()}});
     }
+    for (const auto& [file, edits] : view.numbers)
+        for (const auto& [offset, number] : edits.numbers)
+            out["numbers"].push_back({{"file", file}, {"offset", offset}, {"value", number.value}});
+    if (frames.animation)
+        out["frames"] = {{"count", frames.frames.size()},
+                         {"first", frames.frames.front().clock},
+                         {"last", frames.frames.back().clock}};
     const View::Orbit& o = view.orbit;
     out["orbit"] = {{"yaw", o.yaw_deg}, {"pitch", o.pitch_deg}, {"dolly", o.dolly}, {"right", o.right}, {"up", o.up}};
     if (view.cut)

@@ -2,6 +2,7 @@
 
 #include "csg/tree/program.h"
 #include "parser/constants.h"
+#include "render/app/link/mailbox.h"
 #include "render/app/pixel/pixel_answer.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
@@ -11,6 +12,7 @@
 #include "render/app/still/still.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
+#include "render/app/watch/view_change.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +27,7 @@ namespace {
 using nlohmann::json;
 using JobClock = std::chrono::steady_clock;
 
+constexpr double kAtOnce = 0.03;            // seconds
 constexpr std::size_t kMostMessages = 200;  // that a page is told of one picture
 
 double seconds_from(JobClock::time_point start)
@@ -50,50 +53,44 @@ void gather(void* list, const scene::Message& message)
     if (messages.size() < kMostMessages) messages.push_back(message);
 }
 
-std::optional<double> number_in(const json& from, const char* name)
+/// Of an animation's options the frame that has the clock; where none has, a still of that clock.
+void set_clock(Settings& settings, double clock)
 {
-    const auto at = from.find(name);
-    if (at == from.end() || !at->is_number()) return {};
-    const double value = *at;
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    constexpr double kNear = 1e-6;  // pages count frames in another order of sums
+    const FrameList list = frames_of(settings);
+    const double near = kNear * std::max(1.0, std::abs(clock));
+    for (const Frame& frame : list.frames)
+        if (list.animation && std::abs(static_cast<double>(frame.clock) - clock) < near) {
+            settings.frame_list = {{frame.number, frame.number, 1}};
+            return;
+        }
+    settings.initial_frame = settings.final_frame = std::nullopt;
+    settings.frame_list.clear();
+    settings.clock = static_cast<float>(clock);
 }
 
-View::Orbit orbit_in(const json& from)
+/// Of files whose text is another by now: should it come back, they would too.
+void drop_stale(std::map<std::string, NumberEdits>& numbers)
 {
-    constexpr double kNearest = 1e-3, kFarthest = 1e3;
-    View::Orbit out;
-    out.yaw_deg = number_in(from, "yaw").value_or(0.0);
-    out.pitch_deg = number_in(from, "pitch").value_or(0.0);
-    out.dolly = std::clamp(number_in(from, "dolly").value_or(1.0), kNearest, kFarthest);
-    out.right = number_in(from, "right").value_or(0.0);
-    out.up = number_in(from, "up").value_or(0.0);
-    return out;
-}
-
-std::optional<View::Cut> cut_in(const json& from)
-{
-    const auto normal = from.find("normal");
-    if (normal == from.end() || !normal->is_array() || normal->size() != 3) return {};
-    View::Cut cut;
-    for (int i = 0; i < 3; ++i) {
-        const json& one = (*normal)[static_cast<std::size_t>(i)];
-        if (!one.is_number()) return {};
-        cut.normal[i] = one;
-    }
-    const double length = glm::length(cut.normal);
-    if (!(length > 0.0) || !std::isfinite(length)) return {};
-    cut.normal /= length;
-    cut.offset = number_in(from, "offset").value_or(0.0);
-    return cut;
+    std::erase_if(numbers, [](const auto& one) {
+        const auto text = text_on_disk(one.first);
+        return !text || mark_of(*text) != one.second.mark;
+    });
 }
 
 }  // namespace
 
 Session::Session(const Settings& settings, const std::string& reference, const std::string& povray)
-    : settings_(settings), scene_(find_scene(settings)), comparison_(events_, reference, povray),
-      thread_([this] { run(); }), saves_([this] { ask(Cause::Save); })
+    : settings_(settings), comparison_(events_, reference, povray), wanted_scene_(find_scene(settings)),
+      spotlight_(
+          [this] {
+              const std::lock_guard lock(mutex_);
+              return looked_;
+          },
+          [this](const std::string& json) { events_.push(EventLog::Kind::Focus, json); }),
+      gallery_(settings), scene_(wanted_scene_), thread_([this] { run(); }), saves_([this] { ask(Cause::Save); })
 {
-    saves_.follow({scene_}, false);
+    saves_.follow({wanted_scene_}, false);
     ask(Cause::Save);
 }
 
@@ -106,6 +103,7 @@ Session::~Session()
         ending_early_ = true;
     }
     asked_.notify_all();
+    gallery_.end();
     events_.close();
     thread_.join();
 }
@@ -124,24 +122,30 @@ void Session::run()
 {
     for (;;) {
         View view;
+        Cause cause;
         {
             std::unique_lock lock(mutex_);
             asked_.wait(lock, [this] { return ending_ || waiting_.has_value(); });
             if (ending_) return;
-            if (*waiting_ == Cause::Save) unread_ = true;
+            cause = *waiting_;
+            if (cause == Cause::Save) {
+                unread_ = true;
+                drop_stale(view_.numbers);
+            }
             waiting_.reset();
+            scene_ = wanted_scene_;
             view = view_;
             cancel_ = false;
         }
-        make(view);
+        make(view, cause);
     }
 }
 
-void Session::make(const View& view)
+void Session::make(const View& view, Cause cause)
 {
     ++generation_;
     try {
-        render(view);
+        render(view, cause);
     } catch (const parser::Cancelled&) {
         return;
     } catch (const csg::Cancelled&) {
@@ -158,7 +162,7 @@ void Session::make(const View& view)
 Settings Session::settings_for(const View& view) const
 {
     Settings settings = settings_;
-    if (view.clock) settings.clock = static_cast<float>(*view.clock);
+    if (view.clock) set_clock(settings, *view.clock);
     for (const auto& [name, value] : view.declared) settings.declared_numbers[name] = value;
     return settings;
 }
@@ -169,7 +173,9 @@ void Session::read(const View& view, const Settings& settings)
         read_at_ = milliseconds_now();
         events_.push(EventLog::Kind::Text, text_event(generation_, scene_, read_at_));
     }
-    const SceneReading reading(settings, cancel_);
+    SceneReading reading(settings, cancel_);
+    const std::map<std::string, std::string> texts = edited_texts(view);
+    reading.options.texts = &texts;
     told_.clear();
     parsed_ = std::make_shared<const parser::Result>(parser::parse_file(scene_, reading.options, gather, &told_));
     read_with_ = view;
@@ -177,6 +183,16 @@ void Session::read(const View& view, const Settings& settings)
     files_ = parsed_->scene.files;
     files_.insert(files_.end(), parsed_->data_files.begin(), parsed_->data_files.end());
     follow(false, told_);
+}
+
+/// Files whose numbers a page has set, as they are with them; those that are others by now are as they are.
+std::map<std::string, std::string> Session::edited_texts(const View& view) const
+{
+    std::map<std::string, std::string> texts;
+    for (const auto& [file, edits] : view.numbers)
+        if (const auto text = text_on_disk(file); text && mark_of(*text) == edits.mark)
+            texts[file] = edited(*text, edits);
+    return texts;
 }
 
 /// What the next save may be of.
@@ -192,7 +208,7 @@ void Session::follow(bool wrong, const std::vector<scene::Message>& messages)
     saves_.follow(files, wrong);
 }
 
-void Session::render(const View& view)
+void Session::render(const View& view, Cause cause)
 {
     const auto start = JobClock::now();
     const Settings settings = settings_for(view);
@@ -222,44 +238,46 @@ void Session::render(const View& view)
     }
     {
         const std::lock_guard lock(mutex_);
-        looked_ = std::make_shared<const Looked>(Looked{settings, std::move(shown)});
+        looked_ = std::make_shared<const Looked>(Looked{generation_, settings, std::move(shown), view.numbers});
     }
     times.emplace_back("plan", seconds_from(planning));
     if (cancel_) return;
-    events_.push(EventLog::Kind::Scene, scene_event(generation_, settings.width, settings.height, read_at_),
-                 generation_);
+    const double clock = static_cast<double>(frames_of(settings).frames.front().clock);
+    events_.push(EventLog::Kind::Scene,
+                 scene_event(generation_, settings.width, settings.height, read_at_, clock, view.request), generation_);
     std::vector<parser::SceneConstant> constants = parser::constants_of(scene_);
     for (const auto& declared : settings_.declared_numbers)
         if (std::none_of(constants.begin(), constants.end(), [&](const auto& c) { return c.name == declared.first; }))
             constants.push_back({declared.first, declared.second});
-    const double clock = static_cast<double>(settings.clock.value_or(0.0f));
-    events_.push(EventLog::Kind::Controls, controls_event(view, clock, constants, camera_text(camera)), generation_);
+    events_.push(EventLog::Kind::Controls,
+                 controls_event(view, clock, constants, camera_text(camera), frames_of(settings_)), generation_);
 
     image::Encoding encoding = file_settings(settings, parsed_->scene).encoding;
     encoding.bits = 8;
     encoding.greyscale = false;
     encoding.dither = image::Dither::None;
-    if (!trace_passes(*compiled, render_options(settings, cancel_), encoding, generation_, events_, times)) return;
+    // What is as fast as the eye is not shown coarse first: it follows a slider without flicker.
+    const bool coarse = cause == Cause::Save || full_pass_ == 0 || full_pass_ > kAtOnce;
+    if (!trace_passes(*compiled, render_options(settings, cancel_), encoding, coarse, generation_, events_, times))
+        return;
+    for (const auto& [name, seconds] : times)
+        if (name == "1/1") full_pass_ = seconds;
     events_.push(EventLog::Kind::Done, done_event(generation_, seconds_from(start), times, nullptr), generation_);
+    spotlight_.renew();
 }
 
 web::Reply Session::change(const std::string& body)
 {
-    const json wanted = json::parse(body, nullptr, false);
-    if (!wanted.is_object()) return {400, "text/plain", "expected a JSON object\n"};
+    std::shared_ptr<const Looked> looked;
     {
         const std::lock_guard lock(mutex_);
-        if (const auto clock = wanted.find("clock"); clock != wanted.end()) view_.clock = number_in(wanted, "clock");
-        if (const auto declared = wanted.find("declared"); declared != wanted.end() && declared->is_object()) {
-            constexpr std::size_t kMostConstants = 100;
-            view_.declared.clear();
-            for (const auto& [name, value] : declared->items())
-                if (value.is_number() && view_.declared.size() < kMostConstants) view_.declared[name] = value;
-        }
-        if (const auto orbit = wanted.find("orbit"); orbit != wanted.end())
-            view_.orbit = orbit->is_object() ? orbit_in(*orbit) : View::Orbit{};
-        if (const auto cut = wanted.find("cut"); cut != wanted.end())
-            view_.cut = cut->is_object() ? cut_in(*cut) : std::nullopt;
+        looked = looked_;
+    }
+    const std::optional<ViewChange> change = view_change(body, looked.get());
+    if (!change) return {400, "text/plain", "expected a JSON object\n"};
+    {
+        const std::lock_guard lock(mutex_);
+        change->apply(view_);
     }
     ask(Cause::View);
     return {200, "application/json", "{}"};
@@ -279,10 +297,32 @@ web::Reply Session::compare(const std::string& body)
             const std::lock_guard lock(mutex_);
             view = view_;
         }
-        comparison_.run_povray(scene_, settings_for(view));
+        comparison_.run_povray(scene_wanted(), settings_for(view));
     } else {
         return {400, "text/plain", "compare with reference or povray\n"};
     }
+    return {200, "application/json", "{}"};
+}
+
+std::string Session::scene_wanted()
+{
+    const std::lock_guard lock(mutex_);
+    return wanted_scene_;
+}
+
+/// Another scene of the folder takes this one's place.
+web::Reply Session::open(const std::string& body)
+{
+    const json wanted = json::parse(body, nullptr, false);
+    const bool named = wanted.is_object() && wanted.contains("name") && wanted["name"].is_string();
+    const std::string path = named ? Gallery::path_of(scene_wanted(), wanted["name"]) : std::string();
+    if (path.empty()) return {404, "text/plain", "no such scene\n"};
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_scene_ = path;
+        view_ = {};
+    }
+    ask(Cause::Save);
     return {200, "application/json", "{}"};
 }
 
@@ -315,6 +355,11 @@ web::Reply Session::answer(bool posted, const std::string& path, const std::stri
 {
     if (posted && path == "set") return change(body);
     if (posted && path == "compare") return compare(body);
+    if (posted && path == "open") return open(body);
+    if (!posted && path == "gallery") return gallery_.list(scene_wanted());
+    if (!posted && path == "thumbnail") return gallery_.thumbnail(scene_wanted(), body);
+    if (posted && path == "show") return spotlight_.show(body);
+    if (posted && path == "write") return spotlight_.write(body);
     if (!posted && path == "pixel") return pixel(body);
     return {404, "text/plain", ""};
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "render/app/watch/place/number_edits.h"
 #include "render/scene/description.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,10 +28,15 @@ struct View {
     };
     std::optional<double> clock;
     std::map<std::string, double> declared;
+    std::map<std::string, NumberEdits> numbers;  ///< by file, absolute without "." and ".."
     Orbit orbit;
     std::optional<Cut> cut;
+    std::uint64_t request = 0;  ///< the page's number of its last change, told with the picture
 
-    bool same_text(const View& other) const { return clock == other.clock && declared == other.declared; }
+    bool same_text(const View& other) const
+    {
+        return clock == other.clock && declared == other.declared && numbers == other.numbers;
+    }
 };
 
 /// The camera moved.

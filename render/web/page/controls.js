@@ -1,22 +1,31 @@
 // Values, camera, cutting plane, comparison: what a page asks for. No request changes a file.
 const post = (path, body) => fetch(path, { method: "POST", body: JSON.stringify(body) });
 
-// One request at a time; the last wish of those that came meanwhile follows.
-let sending = false, wished = null;
+// One request at a time. The last wish of those that came meanwhile follows when a picture of this one is seen, or soon: each request ends
+// the picture that is traced, so a slider in motion would show none.
+const kSoon = 200;  // milliseconds
+let sending = false, wished = null, requests = 0, awaited = null;
+const asked = new Set(), firstRequest = Math.floor(performance.timeOrigin) * 1000;  // numbers of no other page
 async function ask(change) {
+  change.request = firstRequest + ++requests;
+  asked.add(change.request);
+  if (Object.keys(change).some(what => what !== "clock" && what !== "request")) forgetFrames();
   wished = { ...(wished || {}), ...change };
   if (sending) return;
   sending = true;
   while (wished) {
     const now = wished;
     wished = null;
+    const seen = new Promise(done => { awaited = { request: now.request, done }; setTimeout(done, kSoon); });
     try { await post("set", now); } catch { break; }
+    await seen;
   }
   sending = false;
 }
+const seenOf = scene => { if (awaited && scene.request === awaited.request) awaited.done(); };
 
 const declared = {};
-function slider(name, value, change, reset) {
+function slider(name, value, change, reset, about = value) {  // about: what its reach is chosen by
   const row = document.createElement("div");
   row.className = "value";
   row.dataset.name = name;
@@ -27,8 +36,8 @@ function slider(name, value, change, reset) {
   range.type = "range";
   number.type = "number";
   range.step = number.step = "any";
-  const reach = name === "clock" ? [Math.min(0, value), Math.max(1, value)] : value === 0 ? [-1, 1] : [Math.min(0, 2 * value), Math.max(0, 2 * value)];
-  [range.min, range.max] = reach;
+  const reach = name === "clock" ? [Math.min(0, value), Math.max(1, value)] : about === 0 ? [-1, 1] : [Math.min(0, 2 * about), Math.max(0, 2 * about)];
+  [range.min, range.max] = [Math.min(reach[0], value), Math.max(reach[1], value)];
   range.value = number.value = value;
   const set = to => {
     if (!Number.isFinite(to)) return;

@@ -1,5 +1,6 @@
 // What a pixel is made of.
 async function pick(x, y) {
+  showPlace(x, y);
   const cross = byId("cross");
   cross.style.display = "block";
   cross.style.left = x + "px";

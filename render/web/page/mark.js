@@ -12,6 +12,7 @@ function covered(block) {
 function isShown(g) {
   if (!state.scenes[g] || shown.scene?.g === g) return;
   shown.scene = state.scenes[g];
+  seenOf(shown.scene);
   mark();
 }
 

@@ -127,7 +127,7 @@ stage.addEventListener("wheel", event => {
 // What the mouse does, by keys (a pixel has its numbers in the panel).
 const kStep = 40;
 const arrows = { ArrowLeft: [-kStep, 0], ArrowRight: [kStep, 0], ArrowUp: [0, -kStep], ArrowDown: [0, kStep] };
-const keys = { "+": "in", "=": "in", "-": "out", 0: "fit", 1: "one" };
+const keys = { "+": "in", "=": "in", "-": "out", 0: "fit", 1: "one", " ": "play" };
 stage.onkeydown = event => {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
   const by = arrows[event.key], button = keys[event.key];
