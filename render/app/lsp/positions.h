@@ -1,7 +1,7 @@
 #pragma once
 
 #include "language/names/document.h"
-#include "render/app/lsp/guarded_json.h"
+#include "render/app/rpc/guarded_json.h"
 
 namespace app::lsp {
 

@@ -2,7 +2,7 @@
 
 #include "render/app/lsp/asked.h"
 #include "render/app/lsp/capabilities.h"
-#include "render/app/lsp/rpc.h"
+#include "render/app/rpc/rpc.h"
 #include "render/app/lsp/uri.h"
 
 #include <algorithm>

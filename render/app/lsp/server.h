@@ -3,7 +3,7 @@
 #include "language/names/files.h"
 #include "render/app/lsp/answers.h"
 #include "render/app/lsp/diagnostics.h"
-#include "render/app/lsp/framing.h"
+#include "render/app/rpc/framing.h"
 #include "render/app/lsp/reading.h"
 #include "render/app/lsp/watch_link.h"
 

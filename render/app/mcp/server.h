@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/lsp/framing.h"
+#include "render/app/rpc/framing.h"
 #include "render/app/mcp/tools.h"
 
 #include <deque>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/lsp/rpc.h"
+#include "render/app/rpc/rpc.h"
 #include "render/app/mcp/child.h"
 #include "render/app/options/settings.h"
 #include "render/app/output/scratch_folder.h"

@@ -1,4 +1,4 @@
-#include "render/app/lsp/guarded_json.h"
+#include "render/app/rpc/guarded_json.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "render/app/lsp/framing.h"
+#include "render/app/rpc/framing.h"
 
 #include <fmt/format.h>
 

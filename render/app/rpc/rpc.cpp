@@ -1,4 +1,4 @@
-#include "render/app/lsp/rpc.h"
+#include "render/app/rpc/rpc.h"
 
 #include <utility>
 

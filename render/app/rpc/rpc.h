@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/app/lsp/guarded_json.h"
+#include "render/app/rpc/guarded_json.h"
 
 #include <string>
 #include <string_view>
