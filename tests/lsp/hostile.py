@@ -3,17 +3,18 @@
 
 usage: hostile.py WHITTLE [--requests N] [--seed N]
 """
-import argparse
 import json
 import os
-import random
+import pathlib
 import shutil
 import sys
 import tempfile
 import time
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from client import Client, uri  # noqa: E402
+from client import Client, uri
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import bad_input  # noqa: E402
 
 METHODS = ["textDocument/" + name for name in (
     "completion hover definition references documentHighlight prepareRename rename documentSymbol foldingRange documentColor "
@@ -30,19 +31,11 @@ def scene(rng):
 
 
 def number(rng):
-    return rng.choice([0, 1, 2, 5, 40, -1, 2**31, 2**63, -2**63, 1e300, 0.5, None, "1", True, [], {}])
+    return rng.choice(bad_input.NUMBERS)
 
 
-def value(rng, depth=0):
-    kind = rng.randrange(9 if depth < 4 else 6)
-    if kind < 3:
-        return number(rng)
-    if kind < 6:
-        return rng.choice(["", "x", "\u0000", "file:///a", "a" * 500, "utf-8", "\ud800"])
-    if kind == 6:
-        return [value(rng, depth + 1) for _ in range(rng.randrange(4))]
-    names = ["uri", "text", "position", "line", "character", "range", "start", "end", "textDocument", "options", "color", "newName", "q"]
-    return {rng.choice(names): value(rng, depth + 1) for _ in range(rng.randrange(5))}
+def value(rng):
+    return bad_input.value(rng, ["uri", "text", "position", "line", "character", "range", "start", "end", "textDocument", "options", "color", "newName", "q"])
 
 
 def place(rng):
@@ -70,7 +63,7 @@ def framed(body):
     return b"Content-Length: %d\r\n\r\n" % len(body) + body
 
 
-def hostile(rng, names, number_of):
+def request(rng, names, number_of):
     """Bytes of one request: in order, truncated, mangled or none at all."""
     method = rng.choice(METHODS) if rng.random() < 0.7 else rng.choice(["textDocument/didOpen", "textDocument/didChange"])
     message = {"jsonrpc": "2.0", "method": method, "params": parameters(rng, names)}
@@ -83,16 +76,13 @@ def hostile(rng, names, number_of):
     if kind < 0.75:
         return framed(body)
     if kind < 0.80:  # the body is cut short, its length says so
-        return framed(body[:rng.randrange(len(body) + 1)])
+        return framed(bad_input.cut_short(rng, body))
     if kind < 0.84:  # more is promised than comes
         return b"Content-Length: %d\r\n\r\n" % (len(body) + rng.randrange(1, 200)) + body
     if kind < 0.87:  # less is promised
         return b"Content-Length: %d\r\n\r\n" % rng.randrange(len(body) + 1) + body
     if kind < 0.91:  # bytes of it are others
-        mangled = bytearray(body)
-        for _ in range(rng.randrange(1, 8)):
-            mangled[rng.randrange(len(mangled))] = rng.randrange(256)
-        return framed(bytes(mangled))
+        return framed(bad_input.mangled(rng, body, 8))
     if kind < 0.94:
         return rng.choice([b"Content-Length: ", b"Content-Length: -5\r\n\r\n", b"Content-Length: 99999999999999999999\r\n\r\n",
                            b"Content-Length:\r\n\r\n", b"Content-Length: 7", b"\r\n\r\n", b"Content-Length: 0x10\r\n\r\n{}",
@@ -118,23 +108,22 @@ def settle(client, seen):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("--requests", type=int, default=10000)
-    parser.add_argument("--seed", type=int, default=22)
-    options = parser.parse_args()
-    rng = random.Random(options.seed)
-    folder = tempfile.mkdtemp(prefix="whittle-lsp-hostile-")
+    options, rng = bad_input.asked("hostile requests to whittle lsp", 10000, 22)
+    folder, mail = tempfile.mkdtemp(prefix="whittle-lsp-hostile-"), tempfile.mkdtemp(prefix="whittle-mail-")
+    os.environ["XDG_RUNTIME_DIR"] = mail
     try:
-        client = Client(os.path.abspath(options.program), ["--seconds=1", "--memory=300"], folder)
+        client = Client(options.whittle, ["--seconds=1", "--memory=300"], folder, initialize=False)
+        client.result("initialize", {"rootUri": uri(folder), "capabilities": {
+            "window": {"showDocument": {"support": True}}, "workspace": {"applyEdit": True}}})
         names = [uri(os.path.join(folder, name)) for name in ("a.pov", "b.pov", "a.inc")] + ["untitled:x", "", "file://", "file:///%00", "%"]
         seen = {}
         for count in range(1, options.requests + 1):
-            client.raw(hostile(rng, names, count))
+            client.raw(request(rng, names, count))
             if count % 50 == 0:
+                bad_input.datagrams(rng, os.path.join(mail, "whittle"), 20, [os.path.join(folder, "a.pov"), "/etc/passwd", "b.pov"])
                 settle(client, seen)
         # What came was understood, for the most part: answers, refusals and diagnostics.
-        for what in ("result", "publishDiagnostics", "-32601", "-32602", "-32700", "-32803"):
+        for what in ("result", "publishDiagnostics", "showDocument", "-32601", "-32602", "-32700", "-32803"):
             assert seen.get(what, 0) > options.requests // 200, seen
         assert seen["result"] + seen["publishDiagnostics"] > options.requests // 4, seen
         # A message that is longer than any may be: it is passed over in pieces.
@@ -147,11 +136,12 @@ def main():
         client.open("fine.pov", "#version 3.7;\nsphere { 0, 1 pigmnt }\n")
         assert client.diagnostics("fine.pov", 1)[0]["message"].startswith("'pigmnt'")
         assert client.end() == 0
-        assert os.listdir(folder) == [], os.listdir(folder)
+        assert os.listdir(folder) == [] and os.listdir(mail) == ["whittle"] and os.listdir(os.path.join(mail, "whittle")) == []
         assert memory < MEMORY, f"{memory} MB"
         print(f"{options.requests} requests, {memory} MB at most; {seen}")
     finally:
         shutil.rmtree(folder)
+        shutil.rmtree(mail)
 
 
 if __name__ == "__main__":

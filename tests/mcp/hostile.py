@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 """Bad input to `whittle mcp`: random, truncated and mangled messages. No crash, no hang; each request is answered once.
 
-usage: hostile.py WHITTLE [--messages N] [--seed N]
+usage: hostile.py WHITTLE [--requests N] [--seed N]
 """
-import argparse
 import json
-import os
-import random
+import pathlib
 import subprocess
 import sys
 import threading
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import bad_input  # noqa: E402
 
 METHODS = ["initialize", "ping", "tools/list", "tools/call", "tools/call", "tools/call", "resources/list", "resources/read", "prompts/list",
            "notifications/initialized", "notifications/cancelled", "resources/templates/list", "logging/setLevel", "", "no/such"]
@@ -17,16 +18,12 @@ TOOLS = ["check", "render", "pixel", "info", "section", "mesh", "compare", "expl
 NAMES = ["scene", "file", "declare", "clock", "seconds", "width", "height", "x", "y", "axis", "value", "object", "format", "a", "b", "word", "block",
          "tolerance", "uri", "cursor", "name", "requestId"]
 
+# Half a character would make the whole message none, whose request is not awaited.
+TEXTS = [text for text in bad_input.TEXTS if text != "\ud800"] + ["sphere", "finish", "render-1.png", "whittle://guide"]
 
-def value(rng, depth=0):
-    kind = rng.randrange(9 if depth < 4 else 6)
-    if kind < 3:
-        return rng.choice([0, 1, 2, -1, 2**31, 2**63, 1e300, 0.5, None, True, False])
-    if kind < 6:
-        return rng.choice(["", "x", "\0", "../x", "/etc/passwd", "a" * 3000, "sphere", "finish", "render-1.png", "\u00e4\U0001F600", "whittle://guide"])
-    if kind == 6:
-        return [value(rng, depth + 1) for _ in range(rng.randrange(4))]
-    return {rng.choice(NAMES): value(rng, depth + 1) for _ in range(rng.randrange(5))}
+
+def value(rng):
+    return bad_input.value(rng, NAMES, TEXTS)
 
 
 def message(rng, number, slow):
@@ -49,25 +46,17 @@ def message(rng, number, slow):
     asked = made.get("id") if isinstance(made, dict) and made.get("id") == number and isinstance(made.get("method"), str) else None
     turn = rng.random()
     if turn < 0.08:
-        return line[:rng.randrange(len(line) + 1)], None
+        return bad_input.cut_short(rng, line), None
     if turn < 0.16:
-        cut = bytearray(line)
-        for _ in range(rng.randrange(1, 4)):
-            cut[rng.randrange(len(cut))] = rng.choice(b'\0\x80{}[]",:\\9e\n')
-        return bytes(cut), None
+        return bad_input.mangled(rng, line, 4, b'\0\x80{}[]",:\\-e\n'), None  # no digit: that could make another's id
     if turn < 0.18:
         return rng.choice([b"[" * 100000, b"{" * 5000, b'"' + b"a" * 200000 + b'"', b"\xff\xfe\x00", b"", b"\r", b"null", b"1e999"]), None
     return (line, asked) if json.loads(line) == made else (line, None)
 
 
 def main():
-    arguments = argparse.ArgumentParser()
-    arguments.add_argument("whittle")
-    arguments.add_argument("--messages", type=int, default=10000)
-    arguments.add_argument("--seed", type=int, default=1)
-    given = arguments.parse_args()
-    rng = random.Random(given.seed)
-    server = subprocess.Popen([os.path.abspath(given.whittle), "mcp", "--seconds=1"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    given, rng = bad_input.asked("hostile messages to whittle mcp", 10000)
+    server = subprocess.Popen([given.whittle, "mcp", "--seconds=1"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     answered, lines = {}, 0
 
     def listen():
@@ -83,7 +72,7 @@ def main():
     listener = threading.Thread(target=listen)
     listener.start()
     asked = []
-    for number in range(1000, 1000 + given.messages):
+    for number in range(1000, 1000 + given.requests):
         line, wanted = message(rng, number, slow=number % 500 == 0)
         server.stdin.write(line + b"\n")
         if wanted is not None:
@@ -95,7 +84,7 @@ def main():
     assert server.wait(10) == 0, server.returncode
     missing = [number for number in asked if answered.get(json.dumps(number)) != 1]
     assert not missing and answered.get('"last"') == 1, (len(missing), missing[:5])
-    print(f"{given.messages} messages, {lines} answers, {len(asked)} of them awaited")
+    print(f"{given.requests} messages, {lines} answers, {len(asked)} of them awaited")
 
 
 if __name__ == "__main__":

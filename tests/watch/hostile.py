@@ -3,10 +3,9 @@ ends. No crash, no leak, memory bounded, no file changed.
 
 usage: hostile.py WHITTLE [--requests N] [--seed N]
 """
-import argparse
 import json
 import os
-import random
+import pathlib
 import shutil
 import socket
 import subprocess
@@ -16,11 +15,15 @@ import time
 import urllib.error
 import urllib.request
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import bad_input  # noqa: E402
+
 SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 1, -4> look_at 0 } light_source { <5, 8, -6> rgb 1 }
 sphere { 0, 1 pigment { rgb <%s> } }
 """
 PAGES = 8  # the server's limit
+NAMES = ["x", "y", "name", "file", "numbers", "offset", "value", "clock", "declared", "orbit", "cut", "request", "with"]
 
 
 class Server:
@@ -28,8 +31,9 @@ class Server:
         self.folder = tempfile.mkdtemp(prefix="whittle-hostile-")
         self.scene = os.path.join(self.folder, "scene.pov")
         self.save(SCENE % "1, 0, 0")
-        self.process = subprocess.Popen([program, "watch", self.scene, "+W80", "+H60"], cwd=self.folder,
-                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.mail = tempfile.mkdtemp(prefix="whittle-mail-")
+        self.process = subprocess.Popen([program, "watch", self.scene, "+W80", "+H60"], cwd=self.folder, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True, env={**os.environ, "XDG_RUNTIME_DIR": self.mail})
         self.address = self.process.stdout.readline().strip()
         self.port = int(self.address.split(":")[2].split("/")[0])
         self.token = self.address.split("/")[3]
@@ -37,10 +41,6 @@ class Server:
     def save(self, text):
         with open(self.scene, "w") as out:
             out.write(text)
-
-    def status(self, name):
-        with open(f"/proc/{self.process.pid}/status") as file:
-            return int(next(line for line in file if line.startswith(name)).split()[1])
 
     def descriptors(self):
         return len(os.listdir(f"/proc/{self.process.pid}/fd"))
@@ -63,7 +63,10 @@ class Server:
         status = self.process.wait(20)
         errors = self.process.stderr.read()
         left = os.listdir(self.folder)
+        mail = os.listdir(os.path.join(self.mail, "whittle"))
         shutil.rmtree(self.folder)
+        shutil.rmtree(self.mail)
+        assert not mail, mail
         assert status == 2, f"status {status}: {errors}"
         assert left == ["scene.pov"], left
 
@@ -90,13 +93,15 @@ class Page:
 def words(server, rng):
     """A request as a browser makes one, then spoilt."""
     paths = ["", "events", "pixel?x=3&y=4", "pixel?x=-1&y=99999999999", "pixel?x=1&y=2&z=3", "set", "compare", "../../etc/passwd",
-             "%2e%2e/%00", "pixel?" + "x=1&" * 200, "a" * rng.choice([10, 3000, 9000])]
+             "show", "write", "open", "gallery", "thumbnail?name=scene.pov", "thumbnail?name=../scene.pov", "thumbnail?x", "%2e%2e/%00", "pixel?" + "x=1&" * 200, "a" * rng.choice([10, 3000, 9000])]
     bodies = ["{}", '{"clock":0.5}', '{"clock":1e999}', '{"declared":{"A":1}}', '{"orbit":{"yaw":"x"}}', '{"orbit":{"dolly":-1e300,"yaw":1e300}}',
               '{"cut":{"normal":[0,0,0]}}', '{"cut":{"normal":[1,2,3],"offset":0.1}}', '{"cut":null,"orbit":null}', "[" * 5000, '{"with":"reference"}',
               '{"with":3}', "\xff\xfe", '{"clock":', ""]
     method = rng.choice(["GET", "GET", "POST", "POST", "HEAD", "PUT", "DELETE", "OPTIONS", "TRACE", "\x00", "GE T"])
     token = rng.choice([server.token] * 4 + ["", server.token[:-1], "0" * 32])
-    body = rng.choice(bodies).encode("latin-1")
+    made = [{"x": 40, "y": 30}, {"x": bad_input.value(rng, NAMES), "y": 3}, {"name": "scene.pov"}, {"file": server.scene}, bad_input.value(rng, NAMES),
+            {"numbers": [{"file": server.scene, "offset": rng.randrange(200), "value": bad_input.value(rng, NAMES)}]}]
+    body = rng.choice(bodies + [json.dumps(one) for one in made]).encode("latin-1")
     length = rng.choice([len(body), len(body), len(body), len(body) + 50, 0, -5, 10 ** 12, "x"])
     if method != "POST" and rng.random() < 0.7:
         body, length = b"", 0
@@ -107,12 +112,9 @@ def words(server, rng):
     data = (f"{method} /{token}/{rng.choice(paths)} HTTP/1.1\r\nHost: {host}\r\nContent-Length: {length}\r\n{extra}\r\n").encode("latin-1") + body
     how = rng.random()
     if how < 0.3:
-        data = data[:rng.randrange(len(data) + 1)]
+        data = bad_input.cut_short(rng, data)
     elif how < 0.6:
-        spoilt = bytearray(data)
-        for _ in range(rng.randrange(1, 12)):
-            spoilt[rng.randrange(len(spoilt))] = rng.randrange(256)
-        data = bytes(spoilt)
+        data = bad_input.mangled(rng, data, 12)
     elif how < 0.65:
         data = rng.randbytes(rng.randrange(2000))
     return data
@@ -138,13 +140,8 @@ def attack(server, rng, count):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("whittle")
-    parser.add_argument("--requests", type=int, default=500)
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    rng = random.Random(arguments.seed)
-    server = Server(os.path.abspath(arguments.whittle))
+    arguments, rng = bad_input.asked("hostile requests to whittle watch", 500)
+    server = Server(arguments.whittle)
     try:
         t, port = server.token, server.port
         assert server.get(f"{t}/")[0] == 200
@@ -175,15 +172,16 @@ def main():
             server.save(SCENE % f"0, 0, {k / 20}")
             time.sleep(0.05)
         time.sleep(3)
-        before, opened = server.status("VmRSS"), server.descriptors()
+        before, opened = bad_input.held(server.process, "VmRSS"), server.descriptors()
         started = time.monotonic()
         answered = attack(server, rng, arguments.requests)
+        bad_input.datagrams(rng, os.path.join(server.mail, "whittle"), arguments.requests, [server.scene, "/etc/passwd", "scene.pov"])
         took = time.monotonic() - started
         for k in range(100):
             server.save(SCENE % f"0, {k / 100}, 0")
             time.sleep(0.01)
         time.sleep(4)  # connections that were left open are dropped
-        after, open_now = server.status("VmRSS"), server.descriptors()
+        after, open_now = bad_input.held(server.process, "VmRSS"), server.descriptors()
         assert answered > 0.2 * arguments.requests, answered
         print(f"{arguments.requests} requests in {took:.1f} s, {answered} answered: memory {before} kB before, {after} kB after; "
               f"descriptors {opened} before, {open_now} after")
