@@ -16,6 +16,7 @@ sphere { x*(2*clock - 1), 0.7 pigment { rgb <0.9, 0.6, 0.1> } }
 """
 OTHER = SCENE.replace("<0.9, 0.6, 0.1>", "<0.1, 0.5, 0.9>")
 SIZE = (96, 72)
+CALM = "!sending && state.next.request === firstRequest + requests && state.doneGeneration === state.next.g"  # all that was asked for is done
 
 
 def check_film(seen):
@@ -24,7 +25,7 @@ def check_film(seen):
     assert page.ask("[film.count, film.first, film.last].join()") == "5,0,1"
     page.ask("byId('folder-scenes').parentNode.querySelectorAll('details').forEach(d => { if (d.querySelector('#play')) d.open = true; })")
     page.ask("byId('loop').checked = false; byId('frame-rate').value = 30; byId('play').click()")
-    page.wait("!film.playing && film.at === 4 && film.kept.size === 5", 30)
+    page.wait("!film.playing && film.at === 4 && film.kept.size === 5 && " + CALM, 30)
     print("scrubbing shows kept frames at once, with the bytes of a render")
     before = page.ask("state.next.g")
     for frame in (3, 1, 5):
@@ -32,6 +33,14 @@ def check_film(seen):
         clock = (frame - 1) / 4
         assert seen.samples() == watched.rendered(*SIZE, f"+K{clock}", "+KFI1", "+KFF1"), frame
     assert page.ask("state.next.g") == before  # nobody was asked for one
+    print("what was asked for before is not drawn over them")
+    for frame in (4, 2, 5):
+        before = page.ask(f"(g => (ask({{ clock: clockOf(0) }}), byId('frame').value = {frame}, byId('frame').oninput(), byId('frame').onchange(), g))(state.next.g)")
+        page.wait(f"state.next.g > {before} && {CALM}")
+        assert seen.samples() == watched.rendered(*SIZE, f"+K{(frame - 1) / 4}", "+KFI1", "+KFF1"), frame
+        assert page.ask("state.next.clock") == (frame - 1) / 4 and page.ask("film.kept.size") == 5
+    page.ask("byId('frame').value = 1; byId('frame').oninput()")
+    assert seen.samples() == watched.rendered(*SIZE, "+K0", "+KFI1", "+KFF1")
     seen.shot("film")
     print("loop, pause by the keyboard")
     page.ask("byId('loop').checked = true; byId('stage').focus()")

@@ -1,12 +1,22 @@
 // The clock as a film: frames are traced as they are first wanted, and kept while nothing but the clock changes.
 const kMostKept = 5e8;  // bytes
-const film = { count: 24, first: 0, last: 1, kept: new Map(), at: 0, playing: false, valid: 0, waiting: null, told: "" };
+const film = { count: 24, first: 0, last: 1, kept: new Map(), at: 0, playing: false, valid: 0, over: 0, quiet: new Set(), waiting: null, told: "" };
 const clockOf = i => film.first + (film.count > 1 ? (film.last - film.first) * i / (film.count - 1) : 0);
 
 function forgetFrames() {
   film.valid = firstRequest + requests;
+  film.over = 0;
+  film.quiet.clear();
   film.kept.clear();
   tellFilm();
+}
+// A kept frame was drawn over what was asked for before it, and what is asked for its sake has its pixels.
+const isOver = scene => asked.has(scene?.request) && (scene.request <= film.over || film.quiet.has(scene.request));
+// What a pixel is asked about is the frame that is seen.
+function askForKept() {
+  if (!film.kept.has(film.at)) return;  // it is asked for already
+  ask({ clock: clockOf(film.at) });
+  film.quiet.add(firstRequest + requests);
 }
 function tellFilm() {
   const frame = byId("frame");
@@ -30,7 +40,7 @@ on("done", told => {
   const scene = state.scenes[told.g];
   if (!scene || told.g !== state.generation) return;
   if (scene.request && !asked.has(scene.request)) return forgetFrames();  // another page changed something
-  if (scene.request && scene.request < film.valid) return;                // of what was before
+  if (scene.request && scene.request < film.valid || isOver(scene)) return;  // of what was before
   for (let i = 0; i < film.count; ++i) {
     if (Math.abs(clockOf(i) - scene.clock) > 1e-6 * Math.max(1, Math.abs(scene.clock))) continue;  // single precision there
     if ((film.kept.size + 1) * 4 * scene.width * scene.height <= kMostKept) film.kept.set(i, keepPicture());
@@ -42,6 +52,7 @@ on("done", told => {
 on("messages", told => { if (told.wrong) stopFilm(); });
 
 function stopFilm() {
+  if (film.playing) askForKept();
   film.playing = false;
   film.waiting?.done(false);
   tellFilm();
@@ -53,6 +64,7 @@ function showFrame(i) {
   const kept = film.kept.get(i);
   if (kept && kept.width === picture.width && kept.height === picture.height) {
     paper.drawImage(kept, 0, 0);
+    film.over = firstRequest + requests;
     tellFilm();
     return Promise.resolve(true);
   }
@@ -69,11 +81,9 @@ async function play() {
     const due = now() + 1e3 / Math.max(1, Math.min(120, +byId("frame-rate").value || 24));
     if (!await showFrame(film.at) && film.playing) return stopFilm();
     await new Promise(done => setTimeout(done, Math.max(0, due - now())));
-    if (!film.playing) break;
-    if (film.at + 1 === film.count && !byId("loop").checked) { stopFilm(); break; }
-    film.at = (film.at + 1) % film.count;
+    if (film.playing && film.at + 1 === film.count && !byId("loop").checked) return stopFilm();
+    if (film.playing) film.at = (film.at + 1) % film.count;
   }
-  ask({ clock: clockOf(film.at) });  // what a pixel is asked about is the frame that is seen
 }
 byId("play").onclick = () => {
   if (film.playing) return stopFilm();
@@ -84,7 +94,7 @@ byId("frame").oninput = () => {
   if (film.playing) stopFilm();
   showFrame(+byId("frame").value - 1);
 };
-byId("frame").onchange = () => ask({ clock: clockOf(film.at) });
+byId("frame").onchange = askForKept;
 byId("frame-count").onchange = () => {
   const count = Math.round(+byId("frame-count").value);
   if (!(count >= 2 && count <= 10000)) return void (byId("frame-count").value = film.count);

@@ -36,7 +36,7 @@ on("block", block => {
     state.firstAt = now();
     lamp("busy");
   }
-  drawBlock(block);
+  if (!isOver(state.scenes[block.g])) drawBlock(block);
   state.pass = block.p;
   covered(block);
 });
