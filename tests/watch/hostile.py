@@ -32,8 +32,10 @@ class Server:
         self.scene = os.path.join(self.folder, "scene.pov")
         self.save(SCENE % "1, 0, 0")
         self.mail = tempfile.mkdtemp(prefix="whittle-mail-")
+        # One arena for all threads: each would fill one of its own by and by, which is no leak.
+        alone = {"XDG_RUNTIME_DIR": self.mail, "MALLOC_ARENA_MAX": "1"}
         self.process = subprocess.Popen([program, "watch", self.scene, "+W80", "+H60"], cwd=self.folder, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True, env={**os.environ, "XDG_RUNTIME_DIR": self.mail})
+                                        stderr=subprocess.PIPE, text=True, env={**os.environ, **alone})
         self.address = self.process.stdout.readline().strip()
         self.port = int(self.address.split(":")[2].split("/")[0])
         self.token = self.address.split("/")[3]
