@@ -31,15 +31,15 @@ def asked():
 class Watched:
     """The files, and the program that watches the first of them. Use as a context manager."""
 
-    def __init__(self, program, files, arguments, stay=()):
-        """`stay`: the names that may be in the folder at the end; nothing else was written there."""
+    def __init__(self, program, files, arguments, stay=(), by_name=False):
+        """`stay`: the names that may be in the folder at the end; nothing else was written there. `by_name`: without its folder, from there."""
         self.program, self.arguments = program, list(arguments)
         self.folder = tempfile.mkdtemp(prefix="whittle-watch-")
         self.stay = sorted([*files, *stay])
         for name, text in files.items():
             self.write(self.path(name), text)
         self.scene = self.path(next(iter(files)))
-        self.process = subprocess.Popen([program, "watch", self.scene, *arguments], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen([program, "watch", os.path.basename(self.scene) if by_name else self.scene, *arguments], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         self.address = self.process.stdout.readline().strip()
 
     def path(self, name):

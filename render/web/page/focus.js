@@ -46,7 +46,7 @@ function numberRow(file, number) {
 let shownNumbers = "";
 function showNumbers(told) {
   const where = byId("focus-place");
-  where.replaceChildren(told.why || (told.line ? placed(told) : ""));
+  where.replaceChildren(told.why || (told.line ? placed({ ...told, file: told.path }) : ""));
   const all = JSON.stringify([told.file, told.numbers.map(n => [n.offset, n.written])]);
   if (all !== shownNumbers) {
     shownNumbers = all;

@@ -146,7 +146,11 @@ void Spotlight::tell(const Place& place, const std::shared_ptr<const Looked>& lo
     const std::optional<std::string> text = text_on_disk(place.file);
     const std::optional<std::size_t> number = file_number(*looked->scene, place.file);
     if (!text || !number) return;
-    json out{{"g", looked->generation}, {"file", place.file}, {"numbers", json::array()}, {"lit", nullptr}};
+    json out{{"g", looked->generation},
+             {"file", place.file},
+             {"path", looked->scene->files[*number]},  // as messages name it
+             {"numbers", json::array()},
+             {"lit", nullptr}};
     const std::uint64_t mark = mark_of(*text);
     if (place.mark && *place.mark != mark) {
         out["why"] = "the editor's text is not saved";
