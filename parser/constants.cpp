@@ -1,10 +1,9 @@
 #include "parser/constants.h"
 
 #include "parser/lexer/lexer.h"
+#include "render/files/whole_file.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 namespace parser {
 namespace {
@@ -28,10 +27,9 @@ std::optional<double> number_behind(const std::vector<Token>& tokens, std::size_
 
 std::vector<SceneConstant> constants_of(const std::string& path)
 {
-    std::ifstream in(path, std::ios::binary);
     SourceFile file;
     file.path = path;
-    file.text.assign(std::istreambuf_iterator<char>(in), {});
+    file.text = files::whole_file_if(path).value_or(std::string());
     if (file.text.size() > kLongestText) return {};
     Names names;
     tokenize(file, 0, names, true, false);

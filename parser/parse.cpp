@@ -6,12 +6,11 @@
 #include "parser/grammar/core/scene_builder.h"
 #include "parser/stream/told_values.h"
 #include "parser/stream/token_stream.h"
+#include "render/files/whole_file.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace parser {
 namespace {
@@ -50,11 +49,11 @@ Result parse_text(const std::string& text, const std::string& name, const Option
 
 std::string dump_tokens(const std::string& path)
 {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw Error({path, {}}, "cannot read this file");
+    std::optional<std::string> found = files::whole_file_if(path);
+    if (!found) throw Error({path, {}}, "cannot read this file");
     SourceFile file;
     file.path = path;
-    file.text.assign(std::istreambuf_iterator<char>(in), {});
+    file.text = std::move(*found);
     Names names;
     tokenize(file, 0, names, true, false);
     std::string out;

@@ -1,9 +1,8 @@
 #include "parser/stream/kept_files.h"
 
-#include <algorithm>
+#include "render/files/whole_file.h"
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace parser {
 namespace {
@@ -26,23 +25,7 @@ std::optional<std::string> KeptFiles::read(const std::string& path) const
     if (const std::string* text = find(path)) return *text;
     std::error_code error;
     if (!fs::is_regular_file(path, error)) return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return std::nullopt;
-    const std::uintmax_t size = fs::file_size(path, error);
-    std::string text;
-    text.reserve(error ? 0 : static_cast<std::size_t>(size));
-    // In pieces: what resize() clears is still near when it is written.
-    constexpr std::size_t kPiece = std::size_t{1} << 17;
-    for (std::size_t left = text.capacity() < size || error ? 0 : static_cast<std::size_t>(size); in && left > 0;) {
-        const std::size_t begin = text.size(), piece = std::min(left, kPiece);
-        text.resize(begin + piece);
-        in.read(&text[begin], static_cast<std::streamsize>(piece));
-        text.resize(begin + static_cast<std::size_t>(in.gcount()));
-        left -= piece;
-    }
-    // What a file that grows, or says nothing of its size, has beyond.
-    if (in) text.append(std::istreambuf_iterator<char>(in), {});
-    return text;
+    return files::whole_file_if(path);
 }
 
 const std::string* KeptFiles::find(const std::string& path) const

@@ -1,6 +1,5 @@
 #include "render/model/obj_reader.h"
 
-#include "render/model/base/file_bytes.h"
 #include "render/model/base/polygon_triangles.h"
 
 #include <algorithm>
@@ -195,7 +194,5 @@ private:
 }  // namespace
 
 Model obj_of(std::string_view text) { return ObjText(text).read(); }
-
-Model read_obj(const std::string& path) { return obj_of(bytes_of_file(path)); }
 
 }  // namespace model

@@ -9,8 +9,6 @@ namespace model {
 /// A Wavefront OBJ file: v, vt, vn, f with polygons of any outline and indices from either end, usemtl. Lines that it
 /// continues and either line end are read; names of groups, smoothing, libraries, lines, points and curves are passed
 /// over. Throws ModelError.
-Model read_obj(const std::string& path);
-/// Of the file's text.
 Model obj_of(std::string_view text);
 
 }  // namespace model

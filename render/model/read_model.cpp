@@ -1,6 +1,5 @@
 #include "render/model/read_model.h"
 
-#include "render/model/base/file_bytes.h"
 #include "render/model/glb_reader.h"
 #include "render/model/obj_reader.h"
 #include "render/model/ply_reader.h"
@@ -47,7 +46,5 @@ Model model_of(std::string_view bytes, std::string_view name)
                          0);
     throw ModelError("neither its bytes nor its name say what kind of file it is: .stl, .ply, .glb, .3mf, .obj", 0);
 }
-
-Model read_model(const std::string& path) { return model_of(bytes_of_file(path), path); }
 
 }  // namespace model

@@ -209,6 +209,55 @@ def other_picture(place):
     place.call("join", "out.jpg", *parts, status=1)
 
 
+def sizes(place):
+    """Parts of two sizes are of two pictures."""
+    parts = place.parts(3)
+    place.render("--shard=2/3", "+W60", "+H44")
+    says(place.call("join", "out.png", *parts, status=1), f"{parts[1]}: it is of another scene")
+    tell(not (place.folder / "out.png").exists(), "a picture of two sizes")
+
+
+def absent_include(place):
+    """A node that lacks an include file says where it is asked for; the part is what is missing, and may come."""
+    place.write('#include "shared.inc"\n' + PLAIN)
+    (place.folder / "shared.inc").write_text("#declare Shared = 1;\n")
+    parts = place.parts(2)
+    (place.folder / parts[1]).unlink()
+    (place.folder / "shared.inc").unlink()
+    says(place.render("--shard=2/2", status=1), "s.pov:1:10: error: cannot find the include file 'shared.inc'")
+    says(place.call("join", "out.png", *parts, status=75), parts[1])
+    (place.folder / "shared.inc").write_text("#declare Shared = 1;\n")
+    place.render("--shard=2/2")
+    place.render()
+    place.call("join", "out.png", *parts)
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+
+
+def clocks(place):
+    """Machines whose clocks are an hour apart: no decision goes by a file's time."""
+    parts = place.parts(3)
+    place.render()
+    for name, hours in ((parts[0], 1), (parts[2], -1), ("s.pov", 2)):
+        then = time.time() + 3600 * hours
+        os.utime(place.folder / name, (then, then))
+    for i in (1, 2, 3):
+        says(place.render(f"--shard={i}/3", "+C"), "skipped")
+    says(place.render("+C"), "skipped")
+    place.call("join", "out.png", *parts)
+    tell(place.bytes("out.png") == place.bytes("s.png"), "other bytes")
+
+
+def unreadable(place):
+    """A file that is there and fails while it is read, as on a disk that is away: another try may go well."""
+    broken = "/proc/self/mem"
+    for text in (f'#include "{broken}"', f'mesh {{ file "{broken}" }}', f'sphere {{ 0, 1 pigment {{ image_map {{ png "{broken}" }} }} }}',
+                 f'box {{ 0, 1 pigment {{ density_file df3 "{broken}" }} }}', f'height_field {{ png "{broken}" }}'):
+        place.write(text + "\n" + PLAIN)
+        said = place.render("--shard=1/2", status=75)
+        says(said, "Input/output error")
+        says(said, "s.pov:1:")
+
+
 def twice_at_once(place):
     words = [place.program, "s.pov", *SIZE, "--shard=1/2", "--state-after=0", "--quiet"]
     both = [subprocess.Popen(words, cwd=place.folder) for _ in range(4)]
@@ -301,8 +350,8 @@ def names(place):
     tell(other.bytes("x \u00fc.png") == other.bytes(name + ".png"), "other bytes")
 
 
-FAULTS = {f.__name__: f for f in (prepared, killed, missing, truncated, other_picture, twice_at_once, read_only, refused, frames, older_pictures,
-                                  fingerprints, names)}
+FAULTS = {f.__name__: f for f in (prepared, killed, missing, truncated, other_picture, sizes, absent_include, clocks, unreadable, twice_at_once,
+                                  read_only, refused, frames, older_pictures, fingerprints, names)}
 
 
 def main():

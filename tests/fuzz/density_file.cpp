@@ -4,7 +4,7 @@
 
 void fuzz::one(const Bytes& bytes)
 {
-    const auto volume = parser::decode_density_file(bytes);
+    const auto volume = parser::decode_density_file({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     if (!volume) return;
     require(volume->samples.size() == std::size_t{volume->size[0]} * volume->size[1] * volume->size[2] &&
                 !volume->samples.empty(),

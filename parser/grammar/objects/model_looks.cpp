@@ -1,8 +1,8 @@
 #include "parser/grammar/objects/model_looks.h"
 
+#include "parser/stream/files/file_bytes.h"
 #include "render/image/codecs/direct_readers.h"
 #include "render/image/levels/transfer_curve.h"
-#include "render/model/base/file_bytes.h"
 #include "render/model/mtl_reader.h"
 #include "render/scene/textures/image_map.h"
 
@@ -94,7 +94,7 @@ void read_libraries(MeshState& s, const scene::SourceRef& at, const std::string&
             continue;
         }
         try {
-            model::dress(model, model::bytes_of_file(found));
+            model::dress(model, bytes_of_file(s.stream(), at, found));
         } catch (const model::ModelError& error) {
             s.stream().fail(at, fmt::format("{}:{}: {}", found, error.line, error.what()));
         }

@@ -1,6 +1,7 @@
 #include "csg/mesh/mesh_edges.h"
 #include "parser/grammar/objects/mesh_lists.h"
 #include "parser/grammar/objects/model_looks.h"
+#include "parser/stream/files/file_bytes.h"
 #include "render/model/obj_reader.h"
 #include "render/model/read_model.h"
 
@@ -49,7 +50,8 @@ model::Model read_file(TokenStream& in, Kind word, const scene::SourceRef& at, c
                        const std::string& path)
 {
     try {
-        return word == Kind::Obj ? model::read_obj(path) : model::read_model(path);
+        const std::string bytes = bytes_of_file(in, at, path);
+        return word == Kind::Obj ? model::obj_of(bytes) : model::model_of(bytes, path);
     } catch (const model::ModelError& error) {
         if (error.byte != model::ModelError::kNowhere)
             in.fail(at, fmt::format("{}: byte {}: {}", path, error.byte, error.what()));

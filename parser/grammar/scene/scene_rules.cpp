@@ -1,5 +1,6 @@
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/core/rules.h"
+#include "render/scene/base/passing_error.h"
 #include "render/scene/unsupported_features.h"
 
 /// The top level of a scene, the values that a declaration can hold, and `#default`.
@@ -195,6 +196,9 @@ void SceneBuilder::read_scene()
     for (;;) {
         try {
             if (!read_statement()) break;
+        } catch (const scene::PassingError&) {
+            if (errors.empty()) throw;  // what follows may be wrong because of it, and it may be right another time
+            throw Error(std::move(errors));
         } catch (const Error& error) {
             errors.insert(errors.end(), error.messages().begin(), error.messages().end());
             if (errors.size() >= kMostErrors || !stream_->skip_statement()) throw Error(std::move(errors));

@@ -4,8 +4,9 @@
 
 namespace parser {
 
-std::shared_ptr<const scene::Volume> decode_density_file(const std::vector<std::uint8_t>& bytes)
+std::shared_ptr<const scene::Volume> decode_density_file(std::string_view text)
 {
+    const std::basic_string_view bytes(reinterpret_cast<const unsigned char*>(text.data()), text.size());
     constexpr std::size_t kHeader = 6;
     auto volume = std::make_shared<scene::Volume>();
     std::size_t count = bytes.size() < kHeader ? 0 : 1;

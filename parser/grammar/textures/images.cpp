@@ -2,6 +2,7 @@
 #include "parser/grammar/textures/density_file.h"
 #include "parser/grammar/core/function_samples.h"
 #include "parser/grammar/textures/images.h"
+#include "parser/stream/files/file_bytes.h"
 #include "parser/stream/functions/function.h"
 #include "render/image/files.h"
 #include "render/image/pixels/passing_failure.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
@@ -88,8 +88,7 @@ std::shared_ptr<const image::Picture> picture_of(SceneBuilder& build, const scen
 
 std::shared_ptr<const scene::Volume> volume_of(TokenStream& in, const std::string& path, const scene::SourceRef& at)
 {
-    std::ifstream file(path, std::ios::binary);
-    auto volume = decode_density_file({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+    auto volume = decode_density_file(bytes_of_file(in, at, path));
     if (!volume) in.fail(at, fmt::format("'{}' is no density file: its length does not fit its sizes", path));
     return volume;
 }

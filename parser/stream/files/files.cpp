@@ -1,18 +1,16 @@
 #include "parser/base/nearest.h"
 #include "parser/stream/expression.h"
+#include "parser/stream/files/file_bytes.h"
 #include "parser/stream/files/file_policy.h"
 #include "parser/stream/files/mapped_text.h"
 #include "parser/stream/limits.h"
 #include "parser/stream/messages.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
-#include "render/scene/base/passing_error.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <limits>
 
@@ -216,14 +214,11 @@ std::uint16_t TokenStream::loaded(const std::string& path, const scene::SourceRe
     const auto known = loaded_.find(path);
     if (known != loaded_.end()) return known->second;
     const MappedText mapped(path, kept_files_.has(path) ? std::numeric_limits<std::size_t>::max() : kKeptText);
-    auto text = mapped ? std::string() : kept_files_.read(path);
-    if (!text) {
-        const auto tell = [&] { fail(at, fmt::format("cannot read the include file '{}'", path)); };
-        if (access(path.c_str(), R_OK) != 0 && errno == EACCES) tell();
-        scene::fail_for_now(tell);  // it was found: it went, or is on a disk that is away
-    }
+    std::string text;
+    if (kept_files_.has(path)) text = kept_files_.read(path).value_or(std::string());
+    else if (!mapped) text = bytes_of_file(*this, at, path);
     spend_time();
-    const std::uint16_t file = load(path, std::move(*text), false, mapped.text());
+    const std::uint16_t file = load(path, std::move(text), false, mapped.text());
     open_places_.push_back({ReadingProfile::What::File, file, 0});
     profile_.spend(open_places_);
     loaded_.emplace(path, file);

@@ -1,5 +1,7 @@
 #include "render/app/editor/replace_file.h"
 
+#include "render/files/whole_file.h"
+
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -9,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -53,17 +56,11 @@ void replace_file(const std::string& path, std::string_view bytes)
 
 std::string whole_file(const std::string& path)
 {
-    const bool input = path == "-";
-    std::error_code error;
-    if (!input && std::filesystem::is_directory(path, error)) fail_with_cause("cannot read", path, EISDIR);
-    const auto close = [](std::FILE* f) { return f == stdin ? 0 : std::fclose(f); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(input ? stdin : std::fopen(path.c_str(), "rb"), close);
-    if (!file) fail_with_cause("cannot read", path, errno);
-    std::string bytes;
-    char block[1 << 16];
-    for (std::size_t got; (got = std::fread(block, 1, sizeof block, file.get())) > 0;) bytes.append(block, got);
-    if (std::ferror(file.get()) != 0) fail_with_cause("cannot read", path, errno);
-    return bytes;
+    try {
+        return path == "-" ? files::rest_of(stdin) : files::whole_file(path);
+    } catch (const std::system_error& error) {
+        fail_with_cause("cannot read", path, error.code().value());
+    }
 }
 
 }  // namespace app

@@ -3,6 +3,7 @@
 #include "render/app/base/text.h"
 #include "render/app/frames/window.h"
 #include "render/app/output/scratch_folder.h"
+#include "render/files/whole_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,19 +12,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace app {
 namespace {
 
 using Json = nlohmann::json;
 
-std::string text_of_file(const std::string& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+std::string text_of_file(const std::string& path) { return files::whole_file_if(path).value_or(std::string()); }
 
 double number_in(const Json& object, const char* name)
 {

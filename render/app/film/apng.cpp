@@ -1,5 +1,6 @@
 #include "render/app/film/film.h"
 
+#include "render/files/whole_file.h"
 #include "render/image/picture_writer.h"
 #include "render/image/pixels/passing_failure.h"
 
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -43,10 +42,18 @@ struct PngParts {
     std::string header, about, rows;  ///< IHDR's data; whole chunks before the rows; the data of all IDAT
 };
 
+std::string bytes_of(const std::string& path)
+{
+    try {
+        return files::whole_file(path);
+    } catch (const std::system_error& error) {
+        image::fail_by_system(error.code().value(), "cannot read '" + path + "': " + error.code().message());
+    }
+}
+
 PngParts parts_of(const std::string& path)
 {
-    std::ifstream in(path, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    const std::string bytes = bytes_of(path);
     const std::string_view all(bytes);
     const auto fail = [&](const char* why) { throw image::FileError("'" + path + "' " + why); };
     if (!all.starts_with(kSignature)) fail("is no PNG, as frames of an animated PNG have to be");

@@ -5,11 +5,11 @@
 #include "render/app/options/nearest.h"
 #include "render/app/options/option_table.h"
 #include "render/app/base/text.h"
+#include "render/files/whole_file.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace app {
@@ -148,13 +148,11 @@ namespace {
 /// False if it cannot be read.
 bool read_path(Settings& settings, const std::string& path, const std::string& section)
 {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return false;
+    const std::optional<std::string> text = files::whole_file_if(path);
+    if (!text) return false;
     if (std::find(settings.ini_files.begin(), settings.ini_files.end(), path) == settings.ini_files.end())
         settings.ini_files.push_back(path);
-    apply_ini_text(settings, text.str(), section, path);
+    apply_ini_text(settings, *text, section, path);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "render/app/parts/prepared_file.h"
 
 #include "render/app/parts/hash.h"
+#include "render/files/whole_file.h"
 #include "render/image/picture_writer.h"
 #include "render/image/pixels/passing_failure.h"
 
@@ -26,11 +27,9 @@ std::string check_of(const std::string& bytes)
 std::optional<trace::Prepared> read_prepared(const std::string& path, const std::string& fingerprint, bool& other)
 {
     other = false;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return std::nullopt;
-    in.seekg(0, std::ios::end);
-    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(in.tellg(), 0)), '\0');
-    in.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    std::optional<std::string> whole = files::whole_file_if(path);
+    if (!whole) return std::nullopt;
+    std::string& bytes = *whole;
     const std::string begin = kPreparedMagic + fingerprint;
     other = true;
     if (!bytes.starts_with(begin) || bytes.size() < begin.size() + sizeof(std::uint64_t)) return std::nullopt;

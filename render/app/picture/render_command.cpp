@@ -12,7 +12,7 @@
 #include "render/app/run/stage_options.h"
 #include "render/app/run/written_journal.h"
 #include "render/app/views/views.h"
-#include "render/image/pixels/passing_failure.h"
+#include "render/files/whole_file.h"
 
 #include <fmt/format.h>
 
@@ -145,7 +145,7 @@ int render_command(const Settings& settings, Cancellation& cancel, Remains& rema
     const int status = run_scene(settings, streams, journal, cancel, remains);
     const int unwritten = write_journal(settings.json_file, journal.text(status));
     if (unwritten == 0 || status != kSuccess) return status;
-    return image::failure_may_pass(unwritten) ? kTryAgain : kError;
+    return files::failure_may_pass(unwritten) ? kTryAgain : kError;
 }
 
 }  // namespace app

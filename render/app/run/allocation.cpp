@@ -1,12 +1,12 @@
 #include "render/app/run/allocation.h"
 
+#include "render/files/whole_file.h"
+
 #include <sched.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -134,10 +134,7 @@ Allocation allocation_of(const SystemFile& file, const Variable& variable)
 const Allocation& allocation()
 {
     static const Allocation of_process = [] {
-        const auto file = [](const std::string& path) {
-            std::ifstream in(path, std::ios::binary);
-            return std::string(std::istreambuf_iterator<char>(in), {});
-        };
+        const auto file = [](const std::string& path) { return files::whole_file_if(path).value_or(std::string()); };
         const auto variable = [](const char* name) {
             const char* const value = std::getenv(name);
             return std::string(value != nullptr ? value : "");

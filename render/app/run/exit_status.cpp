@@ -1,5 +1,6 @@
 #include "render/app/run/exit_status.h"
 
+#include "render/files/whole_file.h"
 #include "render/image/pixels/passing_failure.h"
 #include "render/scene/base/passing_error.h"
 
@@ -16,7 +17,7 @@ int status_of(const std::exception& error)
                          dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
                          dynamic_cast<const image::PassingFailure*>(&error) != nullptr ||
                          dynamic_cast<const scene::PassingError*>(&error) != nullptr ||
-                         (system != nullptr && image::failure_may_pass(system->code().value()));
+                         (system != nullptr && files::failure_may_pass(system->code().value()));
     return passing ? kTryAgain : kError;
 }
 

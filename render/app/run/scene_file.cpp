@@ -1,8 +1,8 @@
 #include "render/app/run/scene_file.h"
 
+#include "render/files/whole_file.h"
+
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace app {
 
@@ -24,12 +24,6 @@ std::string find_scene(const Settings& settings)
     return name;
 }
 
-std::optional<std::string> text_on_disk(const std::string& path)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in && !in.eof()) return {};
-    return text;
-}
+std::optional<std::string> text_on_disk(const std::string& path) { return files::whole_file_if(path); }
 
 }  // namespace app

@@ -1,14 +1,14 @@
 #include "render/image/codecs/direct_readers.h"
 
+#include "render/files/whole_file.h"
 #include "render/image/pixels/passing_failure.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace image {
@@ -49,14 +49,16 @@ std::optional<Picture> decode_directly(const std::string& path, const ByteList& 
 
 ByteList bytes_of_file(const std::string& path)
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw FileError("it is a folder");
-    std::ifstream file(path, std::ios::binary);
-    if (!file && errno == ENOENT) throw PassingFailure(std::strerror(errno));  // it was there when it was looked for
-    if (!file) fail_by_system(errno);
-    ByteList bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (bytes.empty()) throw FileError("it is empty");
-    return bytes;
+    try {
+        const std::string bytes = files::whole_file(path);
+        if (bytes.empty()) throw FileError("it is empty");
+        return {bytes.begin(), bytes.end()};
+    } catch (const std::system_error& error) {
+        const int number = error.code().value();
+        if (number == EISDIR) throw FileError("it is a folder");
+        if (number == ENOENT) throw PassingFailure(std::strerror(number));  // it was there when it was looked for
+        fail_by_system(number);
+    }
 }
 
 }  // namespace image

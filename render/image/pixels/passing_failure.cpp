@@ -1,22 +1,15 @@
 #include "render/image/pixels/passing_failure.h"
 
-#include <algorithm>
-#include <cerrno>
+#include "render/files/whole_file.h"
+
 #include <cstring>
 
 namespace image {
 
-bool failure_may_pass(int number)
-{
-    constexpr int kPassing[] = {ENOSPC, EDQUOT, EIO,       ESTALE,    ENOMEM,       EMFILE,
-                                ENFILE, EAGAIN, ETIMEDOUT, EHOSTDOWN, EHOSTUNREACH, ENOTCONN};
-    return std::find(std::begin(kPassing), std::end(kPassing), number) != std::end(kPassing);
-}
-
 void fail_by_system(int number, const std::string& text)
 {
     const std::string words = text.empty() ? std::strerror(number) : text;
-    if (failure_may_pass(number)) throw PassingFailure(words);
+    if (files::failure_may_pass(number)) throw PassingFailure(words);
     throw FileError(words);
 }
 

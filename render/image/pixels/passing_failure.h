@@ -12,9 +12,6 @@ struct PassingFailure : FileError {
     using FileError::FileError;
 };
 
-/// Whether the system's number is of that kind.
-bool failure_may_pass(int number);
-
 /// Throws the failure of this number in the system's words, or `text` in their place.
 [[noreturn]] void fail_by_system(int number, const std::string& text = {});
 

@@ -112,7 +112,6 @@ TEST_CASE("what is wrong with an OBJ file is told with its line", "[model][obj]"
     CHECK(failure(kSquare) == "0: it has no faces");
     CHECK(failure("") == "0: it has no faces");
     CHECK(failure(std::string("ab\0c", 4)) == "1: this is no text file");
-    CHECK_THROWS_AS(model::read_obj("no such file.obj"), model::ModelError);
 }
 
 TEST_CASE("a large file is read in time that goes with its length", "[model][obj]")
