@@ -1,6 +1,6 @@
 // What glass does with light: photons go from the lamp through a ball, a ring, and a drop, each of its own colour.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 10 photons { spacing 0.012 autostop 0 jitter 0 } }
+global_settings { assumed_gamma 1 max_trace_level 10 photons { spacing 0.018 autostop 0 jitter 0 } }
 #default { finish { ambient 0 } }
 
 camera { location <0, 5.4, -9.5> right 4/3*x look_at <-0.1, 0.35, -0.5> angle 34 }
@@ -12,7 +12,7 @@ plane { y, 0 pigment { rgb <0.72, 0.68, 0.62> } finish { diffuse 0.7 } }
 #macro Glass(C, Far)
   pigment { rgbf <1, 1, 1, 0.98> }
   finish { diffuse 0 specular 0.9 roughness 0.002 reflection { 0.01, 1 fresnel on } conserve_energy }
-  interior { ior 1.5 fade_color C fade_distance Far fade_power 1001 dispersion 1.03 dispersion_samples 9 }
+  interior { ior 1.5 fade_color C fade_distance Far fade_power 1001 dispersion 1.03 dispersion_samples 7 }
   photons { target refraction on reflection on collect off }
 #end
 sphere { <0.1, 1.1, 0.6>, 1.1 Glass(<0.95, 0.97, 0.98>, 2) }

@@ -5,7 +5,7 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 
 camera { location <-2.7, 2.0, -11.8> right 4/3*x look_at <0.9, 3.85, 2> angle 56 }
 #declare Sun = <-15, 20, 34>;
-light_source { Sun rgb <1.0, 0.78, 0.48>*4.2 parallel point_at 0 }
+light_source { Sun rgb <1.0, 0.76, 0.44>*6.5 parallel point_at 0 }
 light_source { <3, 6, -9> rgb <0.62, 0.55, 0.52>*0.55 fade_distance 8 fade_power 1 media_interaction off shadowless }
 sky_sphere { pigment { rgb <1.6, 1.35, 1.0> } }
 
@@ -40,5 +40,5 @@ box { <-6, 0, -13>, <6, 0.01, 5> pigment { checker rgb <0.34, 0.27, 0.22>, rgb <
 #end
 box {
   <-6.1, -0.1, -13.1>, <6.1, 11.1, 5.6> hollow pigment { rgbt 1 }
-  interior { media { scattering { 1, <0.060, 0.054, 0.046> extinction 0.5 } method 3 intervals 1 samples 40 jitter 0.4 } }
+  interior { media { scattering { 1, <0.060, 0.054, 0.046> extinction 0.5 } method 3 intervals 1 samples 60 } }
 }

@@ -2,7 +2,7 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1 max_trace_level 4
-  radiosity { pretrace_start 0.08 pretrace_end 0.01 count 200 nearest_count 8 error_bound 0.35 recursion_limit 3 low_error_factor 0.6 gray_threshold 0 brightness 1 }
+  radiosity { pretrace_start 0.08 pretrace_end 0.01 count 120 nearest_count 8 error_bound 0.4 recursion_limit 2 low_error_factor 0.6 gray_threshold 0 brightness 1 }
 }
 #default { finish { ambient 0 diffuse 0.8 } }
 
