@@ -1,6 +1,6 @@
 // Wax: light goes in, wanders and comes out elsewhere (subsurface). Each flame is a lamp of its own.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 4 mm_per_unit 18 subsurface { samples 24, 4 } }
+global_settings { assumed_gamma 1 max_trace_level 4 mm_per_unit 18 subsurface { samples 16, 4 } }
 #default { finish { ambient 0 } }
 
 camera { location <0, 3.0, -10> right 4/3*x look_at <0.05, 1.72, 0> angle 34 }

@@ -26,7 +26,7 @@ light_source { <6, 10, -8> rgb <0.55, 0.65, 0.85>*0.42 }
 difference {
   superellipsoid { <0.05, 0.12> rotate 90*x scale <3.6, 0.4, 1.55> translate -0.4*y }
   object {
-    Word translate <-Wide/2, -0.82, 0> rotate 90*x translate 0.86*y
+    Word translate <-Wide/2, -0.82, 0> rotate 90*x translate 0.93*y
     pigment { rgb <1.0, 0.66, 0.22> } finish { diffuse 0.75 metallic specular 0.8 roughness 0.06 reflection { 0.12 metallic } }
   }
   Wood(<0.085, 0.036, 0.018>, <0.26, 0.13, 0.065>, 0.30, <2, 87, 0>, <0, 1.1, 1.9>)

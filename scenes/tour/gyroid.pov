@@ -26,4 +26,4 @@ isosurface {
 }
 light_source { <3, 4, -14> rgb <0.5, 0.4, 0.9>*0.16 shadowless }
 plane { y, -2.92 pigment { rgb <0.05, 0.045, 0.085> } finish { diffuse 0.8 reflection { 0.03, 0.35 } } }
-sky_sphere { pigment { gradient y color_map { [0 rgb <0.10, 0.055, 0.12>] [0.35 rgb <0.025, 0.02, 0.06>] [1 rgb <0.01, 0.01, 0.03>] } } }
+sky_sphere { pigment { gradient y color_map { [0 rgb <0.055, 0.04, 0.095>] [0.35 rgb <0.02, 0.015, 0.05>] [1 rgb <0.01, 0.01, 0.03>] } } }

@@ -16,16 +16,16 @@ sky_sphere {
 #include "functions.inc"
 // Ridges: where noise passes its middle the land is highest, and finer ridges stand on coarse ones.
 #declare Ridge = function(x, y, z) { pow(1 - abs(2*f_noise3d(x, y, z) - 1), 2) }
-#declare Land = function(x, z) { 0.62*Ridge(x, 7.3, z) + 0.25*Ridge(x, 7.3, z)*Ridge(2.2*x, 3.1, 2.2*z) + 0.10*Ridge(5*x, 1.7, 5*z) + 0.035*Ridge(11*x, 2.9, 11*z) }
+#declare Land = function(x, z) { 0.62*Ridge(x, 7.3, z) + 0.25*Ridge(x, 7.3, z)*Ridge(2.2*x, 3.1, 2.2*z) + 0.12*Ridge(5*x, 1.7, 5*z) + 0.05*Ridge(11*x, 2.9, 11*z) + 0.025*Ridge(24*x, 1, 24*z) }
 height_field {
-  function 600, 600 { max(0, min(1, Land(5*x + 1.2, 4*y + 0.4)*(1.05 - 0.75*y) - 0.20*y)) }
+  function 800, 800 { max(0, min(1, Land(5*x + 1.2, 4*y + 0.4)*(1.05 - 0.75*y) - 0.20*y)) }
   smooth
   translate <-0.5, 0, 0> scale <15, 3.6, 12>
   texture {
     slope { 0.5*y, 0.1, 0.95 altitude 0.5*y, 0.4, 3.0 }
     texture_map {
-      [0.40 pigment { granite scale <2, 0.5, 2> color_map { [0.2 rgb <0.12, 0.10, 0.10>] [0.8 rgb <0.30, 0.25, 0.22>] } } finish { diffuse 0.8 }]
-      [0.56 pigment { rgb <0.26, 0.22, 0.19> } finish { diffuse 0.8 }]
+      [0.40 pigment { granite scale <2, 0.5, 2> color_map { [0.2 rgb <0.10, 0.085, 0.09>] [0.8 rgb <0.28, 0.22, 0.19>] } } normal { granite 0.5 scale 0.5 } finish { diffuse 0.8 }]
+      [0.56 pigment { rgb <0.24, 0.19, 0.17> } normal { granite 0.5 scale 0.5 } finish { diffuse 0.8 }]
       [0.62 pigment { rgb <0.88, 0.90, 0.95> } finish { diffuse 0.85 }]
     }
   }

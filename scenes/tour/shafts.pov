@@ -6,7 +6,7 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 camera { location <-2.7, 2.0, -11.8> right 4/3*x look_at <0.9, 3.85, 2> angle 56 }
 #declare Sun = <-15, 20, 34>;
 light_source { Sun rgb <1.0, 0.76, 0.44>*6.5 parallel point_at 0 }
-light_source { <3, 6, -9> rgb <0.62, 0.55, 0.52>*0.55 fade_distance 8 fade_power 1 media_interaction off shadowless }
+light_source { <3, 6, -9> rgb <0.68, 0.55, 0.46>*0.75 fade_distance 8 fade_power 1 media_interaction off shadowless }
 sky_sphere { pigment { rgb <1.6, 1.35, 1.0> } }
 
 #declare Stone = texture { pigment { granite scale 3 color_map { [0 rgb <0.36, 0.32, 0.28>] [1 rgb <0.56, 0.51, 0.45>] } } normal { granite 0.15 scale 2 } finish { diffuse 0.75 } }

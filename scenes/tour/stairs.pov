@@ -2,12 +2,12 @@
 #version 3.7;
 global_settings {
   assumed_gamma 1 max_trace_level 4
-  radiosity { pretrace_start 0.08 pretrace_end 0.01 count 120 nearest_count 8 error_bound 0.4 recursion_limit 2 low_error_factor 0.6 gray_threshold 0 brightness 1 }
+  radiosity { pretrace_start 0.08 pretrace_end 0.01 count 180 nearest_count 8 error_bound 0.3 recursion_limit 3 low_error_factor 0.6 gray_threshold 0 brightness 1.5 }
 }
 #default { finish { ambient 0 diffuse 0.8 } }
 
 camera { location <4.2, 2.6, -9.3> right 4/3*x look_at <-0.35, 2.75, 0> angle 52 }
-sky_sphere { pigment { rgb <0.80, 0.95, 1.15>*1.9 } }
+sky_sphere { pigment { rgb <0.78, 0.92, 1.15>*1.25 } }
 light_source { <-30, 26, -13> rgb <1.0, 0.85, 0.62>*3.2 parallel point_at 0 }
 
 #declare White = <0.86, 0.84, 0.80>;
@@ -36,4 +36,4 @@ box { <-5, 0, -10>, <5, 0.02, 4> pigment { rgb <0.46, 0.32, 0.20> } finish { ref
   cylinder { <2.2*cos(A), 1.25 + I*0.30, -2.2*sin(A)>, <2.2*cos(B), 1.55 + I*0.30, -2.2*sin(B)>, 0.04 pigment { rgb <0.45, 0.25, 0.1> } }
 #end
 cylinder { 0, 7*y, 0.32 pigment { rgb White } }
-sphere { <-2.9, 0.55, -2.9>, 0.55 pigment { rgb <0.85, 0.60, 0.12> } }
+sphere { <-2.9, 0.55, -2.9>, 0.55 pigment { rgb <0.95, 0.70, 0.16> } }
