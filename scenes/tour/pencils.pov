@@ -5,9 +5,9 @@ global_settings { assumed_gamma 1 max_trace_level 3 }
 
 camera {
   location <-3.3, 5.6, -8.6> right 4/3*x look_at <0.45, 0.30, -0.35> angle 37
-  aperture 0.50 focal_point <0.2, 0.5, -1.9> blur_samples 60 variance 1/2000 confidence 0.95
+  aperture 0.50 focal_point <0.2, 0.5, -1.9> blur_samples 37 variance 1/1000 confidence 0.9
 }
-light_source { <-3, 9, 7> rgb <1.0, 0.95, 0.88>*1.25 area_light <4, 0, 0>, <0, 0, 4>, 6, 6 adaptive 1 circular orient }
+light_source { <-3, 9, 7> rgb <1.0, 0.95, 0.88>*1.25 area_light <4, 0, 0>, <0, 0, 4>, 5, 5 adaptive 1 circular orient }
 light_source { <-9, 5, -8> rgb <0.7, 0.8, 1.0>*0.30 shadowless }
 plane { y, 0 pigment { rgb <0.80, 0.79, 0.75> } finish { diffuse 0.75 } }
 
