@@ -12,7 +12,7 @@ light_source { <-9, 5, -8> rgb <0.7, 0.8, 1.0>*0.30 shadowless }
 plane { y, 0 pigment { rgb <0.80, 0.79, 0.75> } finish { diffuse 0.75 } }
 
 // A pencil of radius 0.5 that lies on its flat side, its tip at the origin, along z.
-#declare Hexagon = intersection { #for (A, 0, 300, 60) plane { y, 0.433 rotate (A + 0)*z } #end }
+#declare Hexagon = intersection { #for (A, 0, 300, 60) plane { y, 0.433 rotate A*z } #end }
 #macro Pencil(C, Long)
   union {
     intersection {                                   // Where the cone leaves the hexagon the paint ends in scallops.
@@ -20,7 +20,7 @@ plane { y, 0 pigment { rgb <0.80, 0.79, 0.75> } finish { diffuse 0.75 } }
       plane { z, Long pigment { rgb <0.80, 0.62, 0.42> } }
       cone {
         <0, 0, 0.28>, 0.09, <0, 0, Long + 0.3>, 0.09 + (Long + 0.02)*0.30
-        pigment { wood turbulence 0.05 scale 0.06 rotate 3*x color_map { [0 rgb <0.80, 0.60, 0.38>] [1 rgb <0.66, 0.45, 0.27>] } }
+        pigment { wood turbulence 0.05 scale <0.07, 0.07, 0.5> rotate <2, 2, 0> translate <1.9, 1.3, 0> color_map { [0 rgb <0.80, 0.60, 0.38>] [1 rgb <0.66, 0.45, 0.27>] } }
         finish { diffuse 0.8 }
       }
     }
