@@ -5,7 +5,7 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 #default { finish { ambient 0 fresnel on } }
 
 camera { location <0, 3.5, -9.4> right 4/3*x look_at <0.1, 0.98, 0> angle 34 }
-light_source { <-9, 7, -3.5>, rgb <1.0, 0.88, 0.70>*1.55 area_light <1.5, 0, -1.5>, <0, 3, 0>, 6, 6 adaptive 1 circular orient }
+light_source { <-9, 7, -3.5>, rgb <1.0, 0.88, 0.70>*1.55 area_light <1.5, 0, -1.5>, sqrt(4.5)*y, 6, 6 adaptive 1 circular orient }
 light_source { <7, 5, -9>, rgb <0.45, 0.55, 0.75>*0.30 shadowless }
 plane { -z, -3.6 pigment { bozo scale 1.6 turbulence 0.5 color_map { [0 rgb <0.070, 0.060, 0.050>] [1 rgb <0.14, 0.115, 0.085>] } } finish { diffuse 0.8 } }
 plane { y, 0 pigment { wood turbulence 0.07 scale <0.35, 0.35, 3> rotate <3, 88, 0> translate <0, 0.4, 1>

@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 #default { finish { ambient 0 } }
 
 camera { location <1.6, 7.2, -8.2> right 4/3*x look_at <0.05, 0, -0.62> angle 39.5 }
-light_source { <-8, 9, 4> rgb <1.0, 0.86, 0.66>*1.35 area_light <2, 0, 2>, <0, 3, 0>, 5, 5 adaptive 1 circular orient }
+light_source { <-8, 9, 4> rgb <1.0, 0.86, 0.66>*1.35 area_light <2, 0, 2>, sqrt(8)*y, 5, 5 adaptive 1 circular orient }
 light_source { <6, 10, -8> rgb <0.55, 0.65, 0.85>*0.42 }
 
 // Wood: rings about z, and over them fine dark pores that are drawn out along the grain.

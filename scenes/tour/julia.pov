@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 5 irid_wavelength rgb <0.70, 0
 #default { finish { ambient 0 } }
 
 camera { location <0, 3.6, -9> right 4/3*x look_at <0, 1.62, 0> angle 33 }
-light_source { <-7, 10, -7> rgb <1.0, 0.92, 0.84>*1.1 area_light <3, 0, -3>, <0, 3, 0>, 5, 5 adaptive 1 circular orient }
+light_source { <-7, 10, -7> rgb <1.0, 0.92, 0.84>*1.1 area_light <3, 0, -3>, sqrt(18)*y, 5, 5 adaptive 1 circular orient }
 light_source { <9, 5, -3> rgb <0.40, 0.55, 0.95>*0.55 }
 light_source { <2, 9, 8> rgb <1.0, 0.7, 0.5>*0.6 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.03, 0.02, 0.04>] [0.4 rgb <0.16, 0.12, 0.20>] [0.62 rgb <0.9, 0.85, 0.8>] [1 rgb <0.3, 0.35, 0.5>] } } }

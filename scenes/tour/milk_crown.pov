@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 5 }
 #default { finish { ambient 0 } }
 
 camera { location <0, 2.7, -11> right 4/3*x look_at <0, 1.25, 0> angle 36 }
-light_source { <-8, 12, 3> rgb <1.0, 0.95, 0.88>*1.05 area_light <4, 0, 4>, <0, 4, 0>, 6, 6 adaptive 1 circular orient }
+light_source { <-8, 12, 3> rgb <1.0, 0.95, 0.88>*1.05 area_light <4, 0, 4>, sqrt(32)*y, 6, 6 adaptive 1 circular orient }
 light_source { <10, 7, -9> rgb <0.80, 0.82, 1.0>*0.60 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <0.50, 0.035, 0.05>] [0.30 rgb <0.16, 0.01, 0.025>] [0.6 rgb <0.9, 0.8, 0.8>] } } }
 

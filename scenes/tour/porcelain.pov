@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 6 }
 #default { finish { ambient 0 } }
 
 camera { location <0, 3.9, -14> right 4/3*x look_at <0.2, 2.6, 0> angle 37.5 }
-light_source { <-9, 10, -8> rgb <1.0, 0.93, 0.82>*1.15 area_light <2, 0, -2>, <0, 2, 0>, 6, 6 circular orient }
+light_source { <-9, 10, -8> rgb <1.0, 0.93, 0.82>*1.15 area_light <2, 0, -2>, sqrt(8)*y, 6, 6 circular orient }
 light_source { <9, 6, -10> rgb <0.6, 0.72, 0.9>*0.25 shadowless }
 plane { -z, -4.5 pigment { rgb <0.50, 0.55, 0.50> } finish { diffuse 0.75 } }
 plane { y, 0 pigment { rgb <0.30, 0.17, 0.09> } finish { diffuse 0.7 specular 0.2 roughness 0.03 reflection { 0.02, 0.2 } } }

@@ -4,7 +4,7 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 #default { finish { ambient 0 diffuse 0.75 specular 0.65 roughness 0.008 reflection { 0.02, 0.22 } } }
 
 camera { location <0, 8.6, -4.4> right 4/3*x look_at <0, 0, -0.12> angle 35.2 }
-light_source { <-7, 9, 5> rgb <1.0, 0.94, 0.85>*1.15 area_light <2, 0, 2>, <0, 3, 0>, 5, 5 adaptive 1 circular orient }
+light_source { <-7, 9, 5> rgb <1.0, 0.94, 0.85>*1.15 area_light <2, 0, 2>, sqrt(8)*y, 5, 5 adaptive 1 circular orient }
 light_source { <8, 8, -5> rgb <0.6, 0.75, 1.0>*0.4 }
 sky_sphere { pigment { gradient y color_map { [0.3 rgb <0.10, 0.12, 0.15>] [1 rgb <0.9, 0.95, 1>] } } }
 
