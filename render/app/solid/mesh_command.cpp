@@ -146,6 +146,10 @@ private:
         make_finer(options, kMostCells, facts, [&](const solid::RefineOptions& now) {
             part.mesh = solid::good_mesh_of(body, extent, now, facts);
             off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
+            if (std::max(off.from_mesh, off.from_body) > now.tolerance) {
+                part.mesh = solid::plain_mesh_of(body, extent, now, facts);
+                off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
+            }
             return off.from_body;
         });
         const solid::MeshCheck found = solid::check(part.mesh);

@@ -9,8 +9,9 @@
 namespace solid {
 namespace {
 
-constexpr double kOffShare = 0.27;                         // of the tolerance: the aim, as not all places are looked at
-constexpr double kLeastLength = 1e-3;                      // of the body's size
+constexpr double kCoarser = 3.0;       // tetrahedra may be so much farther off than what is made of them
+constexpr double kOffShare = 0.27;     // of the tolerance: the aim, as not all places are looked at
+constexpr double kLeastLength = 1e-3;  // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
 constexpr int kRounds = 6, kMoreRounds = 3, kCorrections = 4;
 
@@ -98,6 +99,10 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
 
 TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
 {
+    RefineOptions coarse = options;
+    coarse.tolerance *= kCoarser;
+    TriangleMesh mesh = mesh_of(body, extent, coarse, facts);
+    if (remesh(body, extent, options, mesh)) return mesh;
     return plain_mesh_of(body, extent, options, facts);
 }
 

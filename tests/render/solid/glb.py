@@ -95,7 +95,7 @@ def main():
         if name == "Ball":  # z is turned
             for p, n in zip(places, normals):
                 d = (p[0] - 1, p[1] - 2, p[2] + 3)
-                assert abs(math.hypot(*d) - 1) < 0.01 and math.dist(d, n) < 0.01, (p, n)
+                assert abs(math.hypot(*d) - 1) < 1e-6 and math.dist(d, n) < 1e-5, (p, n)
             color = told["materials"][nodes[name]["material"]]["pbrMetallicRoughness"]["baseColorFactor"]
             assert all(abs(a - b) < 1e-3 for a, b in zip(color, (1, 0.25, 0, 1))), color
         else:  # faces of a box have normals of their own; the colour goes with x

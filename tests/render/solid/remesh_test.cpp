@@ -26,6 +26,23 @@ solid::TriangleMesh remeshed(const char* scene, double tolerance)
     return solid::good_mesh_of(body, extent, options, facts);
 }
 
+double least_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const auto at = [](const glm::dvec3& u, const glm::dvec3& v) {
+        return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 57.29577951308232;
+    };
+    return std::min(at(b - a, c - a), std::min(at(c - b, a - b), at(a - c, b - c)));
+}
+
+/// The share of triangles whose least angle is below ten degrees.
+double thin_share(const solid::TriangleMesh& mesh)
+{
+    std::size_t thin = 0;
+    for (const auto& t : mesh.triangles)
+        thin += least_angle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) < 10.0 ? 1 : 0;
+    return static_cast<double>(thin) / static_cast<double>(mesh.triangles.size());
+}
+
 /// The corners of a tetrahedron, an octahedron's and more: a closed mesh to change.
 solid::TriangleMesh octahedron()
 {
@@ -66,6 +83,29 @@ TEST_CASE("connections change and the mesh stays closed", "[solid]")
     }
     CHECK(collapsed > 15);
     CHECK(mesh.mesh().triangles.size() >= 4);
+}
+
+TEST_CASE("a ball's triangles have their corners on it, its normals and no slivers", "[solid]")
+{
+    const solid::TriangleMesh mesh = remeshed("sphere { <1, 2, 3>, 2 }", 0.01);
+    CHECK(solid::check(mesh).good());
+    CHECK(mesh.triangles.size() < 6000);
+    CHECK(thin_share(mesh) == 0.0);
+    double off = 0.0, turned = 0.0, away = 1.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::dvec3 a = mesh.vertices[mesh.triangles[i][0]], b = mesh.vertices[mesh.triangles[i][1]],
+                         c = mesh.vertices[mesh.triangles[i][2]];
+        away = std::min(away, glm::dot(glm::normalize(glm::cross(b - a, c - a)),
+                                       glm::normalize((a + b + c) / 3.0 - glm::dvec3(1, 2, 3))));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 d = glm::dvec3(mesh.vertices[mesh.triangles[i][k]]) - glm::dvec3(1, 2, 3);
+            off = std::max(off, std::abs(glm::length(d) - 2.0));
+            turned = std::max(turned, glm::length(glm::dvec3(mesh.normals[mesh.normal_of[i][k]]) - 0.5 * d));
+        }
+    }
+    CHECK(off < 2e-6);
+    CHECK(turned < 1e-5);
+    CHECK(away > std::cos(3.0 / 57.3));
 }
 
 TEST_CASE("threads make no difference to a mesh", "[solid]")
