@@ -29,6 +29,8 @@ private:
 
     /// \name surface.cpp: what the surface is like
     void find_facing();
+    void ask_neighbours(std::vector<std::uint8_t>& told);
+    SurfacePoint foot_on_side(Index f, const glm::dvec3& normal) const;
     void find_sharp();
     void tidy_sharp();
     bool straighten(Index f);

@@ -30,6 +30,7 @@ void Remesher::find_facing()
     for (Index f = 0; f < mesh_.triangles(); ++f)
         for (Index k = 0; k < 3; ++k) about[mesh_.tail(3 * f + k)] += cross_at(f);
     feet_.assign(mesh_.triangles(), {});
+    std::vector<std::uint8_t> told(mesh_.triangles(), 0);
     each(mesh_.triangles(), [&](Index f) {
         glm::dvec3 out = cross_at(f);
         const double side = longest_side(f);
@@ -37,9 +38,43 @@ void Remesher::find_facing()
         const double own = glm::length(out);
         out = own > 0.0 ? out / own : glm::dvec3(0, 0, 1);
         const Foot foot = foot_of(body_, middle_of(f), out, std::max(side, 4.0 * options_.tolerance));
+        told[f] = foot.found && glm::dot(foot.at.normal, out) > kSame ? 1 : 0;
         feet_[f] = foot.found ? foot.at : SurfacePoint{middle_of(f), out};
         mesh_.facing[f] = feet_[f].normal;
     });
+    ask_neighbours(told);
+}
+
+/// What is nearly upright on the surface tells nothing of it: it is counted to the side beyond its longest edge.
+void Remesher::ask_neighbours(std::vector<std::uint8_t>& told)
+{
+    std::vector<Index> waiting;
+    for (Index f = 0; f < mesh_.triangles(); ++f)
+        if (told[f] == 0) waiting.push_back(f);
+    for (std::size_t before = waiting.size() + 1; waiting.size() < before;) {
+        before = waiting.size();
+        std::vector<Index> later, known;
+        for (const Index f : waiting) {
+            Index best = HalfEdges::kNone;
+            for (Index h = 3 * f; h < 3 * f + 3; ++h)
+                if (told[mesh_.twin(h) / 3] != 0 && (best == HalfEdges::kNone || length(h) > length(best))) best = h;
+            if (best == HalfEdges::kNone) {
+                later.push_back(f);
+                continue;
+            }
+            feet_[f] = foot_on_side(f, feet_[mesh_.twin(best) / 3].normal);
+            mesh_.facing[f] = feet_[f].normal;
+            known.push_back(f);
+        }
+        for (const Index f : known) told[f] = 1;
+        waiting = std::move(later);
+    }
+}
+
+SurfacePoint Remesher::foot_on_side(Index f, const glm::dvec3& normal) const
+{
+    const Foot foot = foot_of(body_, middle_of(f), normal, longest_side(f));
+    return foot.found && glm::dot(foot.at.normal, normal) > kSharpTurn ? foot.at : SurfacePoint{middle_of(f), normal};
 }
 
 void Remesher::find_sharp()
@@ -60,9 +95,7 @@ void Remesher::find_sharp()
 /// Counts a triangle to the side of the body that looks along `normal`.
 void Remesher::take_side(Index f, const glm::dvec3& normal)
 {
-    const Foot foot = foot_of(body_, middle_of(f), normal, longest_side(f));
-    feet_[f] = foot.found && glm::dot(foot.at.normal, normal) > kSharpTurn ? foot.at
-                                                                           : SurfacePoint{middle_of(f), normal};
+    feet_[f] = foot_on_side(f, normal);
     mesh_.facing[f] = feet_[f].normal;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         const SurfacePoint& other = feet_[mesh_.twin(h) / 3];
