@@ -9,6 +9,7 @@ namespace {
 constexpr double kAgrees = 0.5;   // cosine: the surface that is met is the vertex's own
 constexpr double kTurned = 0.77;  // cosine of 40 degrees: triangles that moves make look so near to the surface
 constexpr double kStep = 0.7;     // of the way to the middle of the neighbours
+constexpr double kSettled = 10.0;  // tolerances: vertices are no farther from where they belong
 constexpr double kLean = 0.966;   // cosine of 15 degrees: moves make no sharper angle
 
 }  // namespace
@@ -68,20 +69,35 @@ glm::dvec3 Remesher::wanted_place(Index v) const
 bool Remesher::may_move(Index v, const glm::dvec3& to) const
 {
     const glm::dvec3 here = mesh_.places[v];
+    double cost_before = 0.0, cost_after = 0.0;
     bool good = true;
     mesh_.each_out(v, [&](Index h) {
         if (!good) return;
         const glm::dvec3 a = mesh_.places[mesh_.head(h)], b = mesh_.places[mesh_.tail(HalfEdges::before(h))];
-        const glm::dvec3 was = cross_of(here, a, b), is = cross_of(to, a, b), facing = mesh_.facing[h / 3];
-        const double old_area = glm::length(was), area = glm::length(is);
-        const double old_facing = old_area > 0.0 ? glm::dot(was, facing) / old_area : -1.0,
-                     own = area > 0.0 ? glm::dot(is, facing) / area : -1.0;
-        if (own < kTurned && own <= old_facing) good = false;
+        const glm::dvec3 facing = mesh_.facing[h / 3];
+        cost_before += std::max(0.0, kTurned - facing_of(cross_of(here, a, b), facing));
+        cost_after += std::max(0.0, kTurned - facing_of(cross_of(to, a, b), facing));
         const double lean = sharpest_cosine(to, a, b);
         if (lean > kLean && lean > sharpest_cosine(here, a, b) + 1e-6)
             good = good && normals_[v] == glm::dvec3(0.0) && lean < 0.9995;
     });
+    if (cost_after > 0.0) return cost_after < cost_before;
     return good;
+}
+
+/// All vertices go where they belong, whatever becomes of their triangles: those about sharp edges are set right later.
+void Remesher::settle()
+{
+    std::vector<Move> moves(mesh_.vertices());
+    each(mesh_.vertices(), [&](Index v) {
+        if (mesh_.has_vertex(v)) moves[v] = moved(v, mesh_.places[v]);
+    });
+    for (Index v = 0; v < mesh_.vertices(); ++v) {
+        if (!moves[v].found || glm::length(moves[v].place - mesh_.places[v]) > kSettled * options_.tolerance) continue;
+        mesh_.places[v] = moves[v].place;
+        normals_[v] = moves[v].normal;
+    }
+    face_again();
 }
 
 /// All vertices, by threads; then what keeps its triangles in order is done.

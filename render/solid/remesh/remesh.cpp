@@ -57,21 +57,26 @@ void Remesher::look_at_surface()
     find_facing();
     find_sharp();
     tidy_sharp();
-    find_kinds();
 }
 
 bool Remesher::run()
 {
     look_at_surface();
     find_lengths();
+    settle();
     const auto round = [&] {
+        tidy_sharp();
         collapse_short();
         split_long();
         flip_better();
         move_all(true);
         flip_better();
+        unfold();
     };
-    for (int i = 0; i < kRounds && !overrun_; ++i) round();
+    for (int i = 0; i < kRounds && !overrun_; ++i) {
+        if (i == kRounds / 3) find_lengths();  // triangles are better now, and tell the curvature better
+        round();
+    }
     for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i)
         for (int k = 0; k < kMoreRounds; ++k) round();
     move_all(false);

@@ -50,7 +50,8 @@ private:
     std::size_t split_long();
     std::size_t collapse_short();
     std::size_t flip_better();
-    bool may_collapse(Index h) const;
+    std::size_t unfold();
+    bool may_collapse(Index h, bool unfolding) const;
     bool may_flip(Index h) const;
 
     /// \name moves.cpp: places
@@ -62,6 +63,7 @@ private:
     glm::dvec3 wanted_place(Index v) const;
     bool may_move(Index v, const glm::dvec3& to) const;
     void move_all(bool smooth);
+    void settle();
 
     /// \name corner_normals.cpp: normals for the files
     glm::dvec3 side_normal(Index v, Index f) const;
@@ -104,6 +106,9 @@ inline glm::dvec3 cross_of(const glm::dvec3& a, const glm::dvec3& b, const glm::
 {
     return glm::cross(b - a, c - a);
 }
+
+/// The cosine between a triangle's normal, told by its cross product, and a unit vector; -1 of one without area.
+double facing_of(const glm::dvec3& cross, const glm::dvec3& facing);
 
 /// The cosine of a triangle's least angle; -1 of one without area.
 double sharpest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);

@@ -9,20 +9,20 @@ namespace {
 constexpr double kLong = 4.0 / 3.0, kShort = 4.0 / 5.0;  // of the wanted length (Botsch and Kobbelt)
 constexpr double kFacing = 0.906;  // cosine of 25 degrees: triangles that connections make look so near to the surface
 constexpr double kNearlyLongest = 0.99;
-constexpr double kHalf = 0.5;           // and this near at least, if they looked farther away
 constexpr double kNearFacing = 0.98;    // of 11: they do not get worse than that by a flip
 constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
 constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
 constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
+constexpr double kBetterCost = 1e-9;
 constexpr int kMostSweeps = 8;
+
+}  // namespace
 
 double facing_of(const glm::dvec3& cross, const glm::dvec3& facing)
 {
     const double area = glm::length(cross);
     return area > 0.0 ? glm::dot(cross, facing) / area : -1.0;
 }
-
-}  // namespace
 
 double sharpest_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
@@ -71,7 +71,7 @@ std::size_t Remesher::split_long()
 }
 
 /// Whether the tail may be put into the head: no edge of the body is lost, and no triangle turns over or becomes long.
-bool Remesher::may_collapse(Index h) const
+bool Remesher::may_collapse(Index h, bool unfolding) const
 {
     const Index u = mesh_.tail(h), v = mesh_.head(h);
     if (kinds_[u] == Kind::Corner) return false;
@@ -79,24 +79,21 @@ bool Remesher::may_collapse(Index h) const
     if (!mesh_.can_collapse(h)) return false;
     const glm::dvec3 from = mesh_.places[u], to = mesh_.places[v];
     bool good = true;
-    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0;
+    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0, cost_before = 0.0, cost_after = 0.0;
     mesh_.each_out(u, [&](Index o) {
         if (!good) return;
         const Index w = mesh_.head(o), x = mesh_.tail(HalfEdges::before(o));
-        if (w != v && glm::length(mesh_.places[w] - to) > kLong * std::min(lengths_[w], lengths_[v]) &&
+        if (!unfolding && w != v && glm::length(mesh_.places[w] - to) > kLong * std::min(lengths_[w], lengths_[v]) &&
             glm::length(mesh_.places[w] - to) > glm::length(mesh_.places[w] - from)) {
             good = false;
             return;
         }
         worst_before = std::max(worst_before, sharpest_cosine(from, mesh_.places[w], mesh_.places[x]));
+        cost_before += std::max(0.0, kFacing - facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]),
+                                                         mesh_.facing[o / 3]));
         if (w == v || x == v) return;
         const glm::dvec3 n = cross_of(to, mesh_.places[w], mesh_.places[x]);
-        const double own = facing_of(n, mesh_.facing[o / 3]);
-        const double old = facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]), mesh_.facing[o / 3]);
-        if (own < kFacing && (own < kHalf || own <= old)) {
-            good = false;
-            return;
-        }
+        cost_after += std::max(0.0, kFacing - facing_of(n, mesh_.facing[o / 3]));
         worst_after = std::max(worst_after, sharpest_cosine(to, mesh_.places[w], mesh_.places[x]));
         nearest = std::min(nearest, std::abs(glm::dot(from - to, n)) / glm::length(n));
         if (kinds_[u] == Kind::Crease && mesh_.is_sharp(o)) {
@@ -106,8 +103,25 @@ bool Remesher::may_collapse(Index h) const
         }
     });
     if (!good || nearest > off_) return false;
+    if (cost_after > 0.0 || unfolding) return cost_after < cost_before - kBetterCost;
     return worst_after < kWellShaped || (worst_after < worst_before + 1e-9) ||
            (worst_after < kBarely && length(h) < 0.3 * wanted_length(h));
+}
+
+/// Triangles that look away from the surface: an edge of theirs goes, however long it is.
+std::size_t Remesher::unfold()
+{
+    std::size_t done = 0;
+    for (Index f = 0; f < mesh_.triangles(); ++f) {
+        if (!mesh_.has_triangle(f) || facing_of(cross_at(f), mesh_.facing[f]) > kFacing) continue;
+        for (Index h = 3 * f; h < 3 * f + 3 && mesh_.has_triangle(f); ++h)
+            for (const Index way : {h, mesh_.twin(h)})
+                if (mesh_.has_triangle(f) && may_collapse(way, true)) {
+                    mesh_.collapse(way);
+                    ++done;
+                }
+    }
+    return done;
 }
 
 std::size_t Remesher::collapse_short()
@@ -117,7 +131,7 @@ std::size_t Remesher::collapse_short()
         std::size_t now = 0;
         for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
             if (!mesh_.has_triangle(h / 3)) continue;
-            if (length(h) >= kShort * wanted_length(h) || !may_collapse(h)) continue;
+            if (length(h) >= kShort * wanted_length(h) || !may_collapse(h, false)) continue;
             mesh_.collapse(h);
             ++now;
         }

@@ -95,13 +95,9 @@ void Remesher::find_sharp()
 /// Counts a triangle to the side of the body that looks along `normal`.
 void Remesher::take_side(Index f, const glm::dvec3& normal)
 {
-    feet_[f] = foot_on_side(f, normal);
-    mesh_.facing[f] = feet_[f].normal;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const SurfacePoint& other = feet_[mesh_.twin(h) / 3];
-        mesh_.set_sharp(h, glm::dot(feet_[f].normal, other.normal) < kSharpTurn &&
-                               is_sharp_between(body_, feet_[f], other));
-    }
+    mesh_.facing[f] = foot_on_side(f, normal).normal;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        mesh_.set_sharp(h, glm::dot(mesh_.facing[f], mesh_.facing[mesh_.twin(h) / 3]) < kSharpTurn);
 }
 
 /// A triangle that lies across an edge of the body, or is too thin to tell, goes to the side that holds two of its
@@ -109,15 +105,19 @@ void Remesher::take_side(Index f, const glm::dvec3& normal)
 bool Remesher::straighten(Index f)
 {
     for (Index k = 0; k < 3; ++k) {
-        const Index a = 3 * f + k, b = HalfEdges::next(a);
+        const Index a = 3 * f + k, b = HalfEdges::next(a), c = HalfEdges::before(a);
         if (!mesh_.is_sharp(a) || !mesh_.is_sharp(b)) continue;
-        const glm::dvec3 one = feet_[mesh_.twin(a) / 3].normal, two = feet_[mesh_.twin(b) / 3].normal;
+        const glm::dvec3 one = mesh_.facing[mesh_.twin(a) / 3], two = mesh_.facing[mesh_.twin(b) / 3];
         if (glm::dot(one, two) < kSharpTurn) continue;
         const glm::dvec3 n = cross_at(f), both = glm::normalize(one + two);
         const double side = longest_side(f), area = glm::length(n);
-        if (area > kSliver * side * side && glm::dot(n, both) < glm::dot(n, feet_[f].normal) - kClearly * area)
+        if (area > kSliver * side * side &&
+            glm::dot(n, both) < glm::dot(n, mesh_.facing[f]) - (mesh_.is_sharp(c) ? 0.0 : kClearly * area))
             continue;
-        take_side(f, both);
+        mesh_.facing[f] = both;
+        mesh_.set_sharp(a, false);
+        mesh_.set_sharp(b, false);
+        mesh_.set_sharp(c, glm::dot(both, mesh_.facing[mesh_.twin(c) / 3]) < kSharpTurn);
         return true;
     }
     return false;
@@ -162,16 +162,17 @@ void Remesher::tidy_sharp()
     constexpr int kSweeps = 6;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         std::size_t changed = 0;
-        for (Index f = 0; f < mesh_.triangles(); ++f) changed += straighten(f) ? 1 : 0;
-        for (Index v = 0; v < mesh_.vertices(); ++v) changed += unpinch(v) ? 1 : 0;
+        for (Index f = 0; f < mesh_.triangles(); ++f) changed += mesh_.has_triangle(f) && straighten(f) ? 1 : 0;
+        for (Index v = 0; v < mesh_.vertices(); ++v) changed += mesh_.has_vertex(v) && unpinch(v) ? 1 : 0;
         // Ends that hang over.
         for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
-            if (mesh_.is_sharp(h) && sharp_edges(mesh_.tail(h)) == 1) {
+            if (mesh_.has_triangle(h / 3) && mesh_.is_sharp(h) && sharp_edges(mesh_.tail(h)) == 1) {
                 mesh_.set_sharp(h, false);
                 ++changed;
             }
         if (changed == 0) break;
     }
+    find_kinds();
 }
 
 int Remesher::sharp_edges(Index v) const
@@ -197,13 +198,14 @@ void Remesher::find_lengths()
 {
     lengths_.assign(mesh_.vertices(), 0.5 * size_);
     for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
+        if (!mesh_.has_triangle(h / 3)) continue;
         const Index t = mesh_.twin(h);
         if (t < h || mesh_.is_sharp(h)) continue;
         if (is_sliver(h / 3) || is_sliver(t / 3)) continue;
-        const SurfacePoint &a = feet_[h / 3], &b = feet_[t / 3];
-        const double turn = glm::length(a.normal - b.normal);
+        const double turn = glm::length(mesh_.facing[h / 3] - mesh_.facing[t / 3]);
         if (turn < 1e-6) continue;
-        const double bend = turn / std::max(glm::length(a.point - b.point), 2.0 * options_.tolerance);
+        const double bend =
+            turn / std::max(glm::length(middle_of(h / 3) - middle_of(t / 3)), 2.0 * options_.tolerance);
         const double own = std::max(least_, std::min(std::sqrt(6.0 * off_ / bend), kMostTurn / bend));
         for (const Index v :
              {mesh_.tail(h), mesh_.head(h), mesh_.tail(HalfEdges::before(h)), mesh_.tail(HalfEdges::before(t))})
