@@ -37,7 +37,24 @@ Remesher::Move Remesher::moved(Index v, const glm::dvec3& to) const
     const Foot foot = foot_of(body_, to, sum / own, longest);
     out.found = foot.found && glm::dot(foot.at.normal, sum / own) > kAgrees;
     out.place = foot.at.point;
+    if (!out.found) return beside(v);
     if (kinds_[v] == Kind::Smooth) out.normal = foot.at.normal;
+    return out;
+}
+
+/// A vertex that hangs over an edge of the body, where no ray meets its side: into the tangent plane of a neighbour.
+Remesher::Move Remesher::beside(Index v) const
+{
+    Move out;
+    double nearest = csg::kInfinity;
+    const glm::dvec3 here = mesh_.places[v];
+    mesh_.each_out(v, [&](Index h) {
+        const Index w = mesh_.head(h);
+        if (normals_[w] == glm::dvec3(0.0) || length(h) >= nearest) return;
+        nearest = length(h);
+        out.found = true;
+        out.place = here - normals_[w] * glm::dot(normals_[w], here - mesh_.places[w]);
+    });
     return out;
 }
 

@@ -64,6 +64,7 @@ bool Remesher::run()
     look_at_surface();
     find_lengths();
     settle();
+    settle();  // neighbours tell what they know now
     const auto round = [&] {
         tidy_sharp();
         collapse_short();
@@ -74,7 +75,10 @@ bool Remesher::run()
         unfold();
     };
     for (int i = 0; i < kRounds && !overrun_; ++i) {
-        if (i == kRounds / 3) find_lengths();  // triangles are better now, and tell the curvature better
+        if (i == 2 || i == 4) {  // triangles are better now, and tell edges and curvature better
+            look_at_surface();
+            find_lengths();
+        }
         round();
     }
     for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i)

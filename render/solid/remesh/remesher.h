@@ -60,6 +60,7 @@ private:
         glm::dvec3 place{0.0}, normal{0.0};
     };
     Move moved(Index v, const glm::dvec3& to) const;
+    Move beside(Index v) const;
     glm::dvec3 wanted_place(Index v) const;
     bool may_move(Index v, const glm::dvec3& to) const;
     void move_all(bool smooth);

@@ -63,7 +63,9 @@ std::size_t Remesher::split_long()
             ++now;
         }
         done += now;
-        overrun_ = mesh_.triangles() > most_triangles_;
+        std::size_t alive = 0;
+        for (Index f = 0; f < mesh_.triangles(); ++f) alive += mesh_.has_triangle(f) ? 1 : 0;
+        overrun_ = alive > most_triangles_;
         if (now == 0 || overrun_) break;
         flip_better();
     }

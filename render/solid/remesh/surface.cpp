@@ -28,10 +28,11 @@ void Remesher::find_facing()
 {
     std::vector<glm::dvec3> about(mesh_.vertices(), glm::dvec3(0.0));
     for (Index f = 0; f < mesh_.triangles(); ++f)
-        for (Index k = 0; k < 3; ++k) about[mesh_.tail(3 * f + k)] += cross_at(f);
+        for (Index k = 0; k < 3 && mesh_.has_triangle(f); ++k) about[mesh_.tail(3 * f + k)] += cross_at(f);
     feet_.assign(mesh_.triangles(), {});
     std::vector<std::uint8_t> told(mesh_.triangles(), 0);
     each(mesh_.triangles(), [&](Index f) {
+        if (!mesh_.has_triangle(f)) return;
         glm::dvec3 out = cross_at(f);
         const double side = longest_side(f);
         if (is_sliver(f)) out = about[mesh_.tail(3 * f)] + about[mesh_.tail(3 * f + 1)] + about[mesh_.tail(3 * f + 2)];
@@ -50,7 +51,7 @@ void Remesher::ask_neighbours(std::vector<std::uint8_t>& told)
 {
     std::vector<Index> waiting;
     for (Index f = 0; f < mesh_.triangles(); ++f)
-        if (told[f] == 0) waiting.push_back(f);
+        if (mesh_.has_triangle(f) && told[f] == 0) waiting.push_back(f);
     for (std::size_t before = waiting.size() + 1; waiting.size() < before;) {
         before = waiting.size();
         std::vector<Index> later, known;
@@ -82,6 +83,7 @@ void Remesher::find_sharp()
     const std::size_t count = 3 * mesh_.triangles();
     std::vector<std::uint8_t> sharp(count, 0);
     each(count, [&](Index h) {
+        if (!mesh_.has_triangle(h / 3)) return;
         const Index t = mesh_.twin(h);
         if (t < h) return;
         const SurfacePoint &a = feet_[h / 3], &b = feet_[t / 3];
@@ -89,7 +91,7 @@ void Remesher::find_sharp()
         sharp[h] = is_sharp_between(body_, a, b) ? 1 : 0;
     });
     for (Index h = 0; h < count; ++h)
-        if (sharp[h] != 0) mesh_.set_sharp(h, true);
+        if (mesh_.has_triangle(h / 3) && h < mesh_.twin(h)) mesh_.set_sharp(h, sharp[h] != 0);
 }
 
 /// Counts a triangle to the side of the body that looks along `normal`.
@@ -304,14 +306,20 @@ std::size_t Remesher::sides_of(Index v, std::array<Side, 16>& out) const
     do {
         if (mesh_.is_sharp(h)) {
             if (count == out.size()) return 0;
-            ++count;
+            out[count++].foot.found = false;
             largest = -1.0;
         }
         const Index f = h / 3;
         const double area = glm::length(cross_at(f));
+        Side& side = out[count - 1];
         if (area > largest) {
             largest = area;
-            out[count - 1] = {middle_of(f), mesh_.facing[f], {}};
+            side.within = middle_of(f);
+            side.normal = mesh_.facing[f];
+        }
+        if (const Index w = mesh_.head(h); !side.foot.found && normals_[w] != glm::dvec3(0.0)) {
+            side.foot.found = true;  // where no ray meets the side, it is told by a neighbour
+            side.foot.at = {mesh_.places[w], normals_[w]};
         }
         h = mesh_.around(h);
     } while (h != start);
