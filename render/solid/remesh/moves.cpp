@@ -18,7 +18,7 @@ constexpr double kLean = 0.966;   // cosine of 15 degrees: moves make no sharper
 Remesher::Move Remesher::moved(Index v, const glm::dvec3& to) const
 {
     Move out;
-    double longest = 0.0;
+    double longest = kSettled * options_.tolerance;
     glm::dvec3 sum(0.0);
     mesh_.each_out(v, [&](Index h) {
         longest = std::max(longest, length(h));
@@ -103,11 +103,11 @@ bool Remesher::may_move(Index v, const glm::dvec3& to) const
 }
 
 /// All vertices go where they belong, whatever becomes of their triangles: those about sharp edges are set right later.
-void Remesher::settle()
+void Remesher::settle(bool all)
 {
     std::vector<Move> moves(mesh_.vertices());
     each(mesh_.vertices(), [&](Index v) {
-        if (mesh_.has_vertex(v)) moves[v] = moved(v, mesh_.places[v]);
+        if (mesh_.has_vertex(v) && (all || kinds_[v] != Kind::Smooth)) moves[v] = moved(v, mesh_.places[v]);
     });
     for (Index v = 0; v < mesh_.vertices(); ++v) {
         if (!moves[v].found || glm::length(moves[v].place - mesh_.places[v]) > kSettled * options_.tolerance) continue;

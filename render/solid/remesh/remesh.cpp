@@ -63,8 +63,8 @@ bool Remesher::run()
 {
     look_at_surface();
     find_lengths();
-    settle();
-    settle();  // neighbours tell what they know now
+    settle(true);
+    settle(true);  // neighbours tell what they know now
     const auto round = [&] {
         tidy_sharp();
         collapse_short();
@@ -78,6 +78,7 @@ bool Remesher::run()
         if (i == 2 || i == 4) {  // triangles are better now, and tell edges and curvature better
             look_at_surface();
             find_lengths();
+            settle(false);
         }
         round();
     }

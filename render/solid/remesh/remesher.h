@@ -35,6 +35,7 @@ private:
     void tidy_sharp();
     bool straighten(Index f);
     bool unpinch(Index v);
+    bool follow_edge(Index v);
     void take_side(Index f, const glm::dvec3& normal);
     int sharp_edges(Index v) const;
     void find_kinds();
@@ -64,7 +65,7 @@ private:
     glm::dvec3 wanted_place(Index v) const;
     bool may_move(Index v, const glm::dvec3& to) const;
     void move_all(bool smooth);
-    void settle();
+    void settle(bool all);
 
     /// \name corner_normals.cpp: normals for the files
     glm::dvec3 side_normal(Index v, Index f) const;

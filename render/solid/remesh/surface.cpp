@@ -159,6 +159,23 @@ bool Remesher::unpinch(Index v)
     return true;
 }
 
+/// A line of sharp edges that ends goes on where the surface is bent most, or its last edge is none.
+bool Remesher::follow_edge(Index v)
+{
+    double most = kSharpTurn;
+    Index best = HalfEdges::kNone, last = HalfEdges::kNone;
+    mesh_.each_out(v, [&](Index h) {
+        const double own = glm::dot(mesh_.facing[h / 3], mesh_.facing[mesh_.twin(h) / 3]);
+        if (mesh_.is_sharp(h)) last = h;
+        else if (own < most) {
+            most = own;
+            best = h;
+        }
+    });
+    mesh_.set_sharp(best != HalfEdges::kNone ? best : last, best != HalfEdges::kNone);
+    return true;
+}
+
 void Remesher::tidy_sharp()
 {
     constexpr int kSweeps = 6;
@@ -166,12 +183,8 @@ void Remesher::tidy_sharp()
         std::size_t changed = 0;
         for (Index f = 0; f < mesh_.triangles(); ++f) changed += mesh_.has_triangle(f) && straighten(f) ? 1 : 0;
         for (Index v = 0; v < mesh_.vertices(); ++v) changed += mesh_.has_vertex(v) && unpinch(v) ? 1 : 0;
-        // Ends that hang over.
-        for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
-            if (mesh_.has_triangle(h / 3) && mesh_.is_sharp(h) && sharp_edges(mesh_.tail(h)) == 1) {
-                mesh_.set_sharp(h, false);
-                ++changed;
-            }
+        for (Index v = 0; v < mesh_.vertices(); ++v)
+            changed += mesh_.has_vertex(v) && sharp_edges(v) == 1 && follow_edge(v) ? 1 : 0;
         if (changed == 0) break;
     }
     find_kinds();
