@@ -145,7 +145,7 @@ std::size_t Remesher::collapse_short()
 
 bool Remesher::may_flip(Index h) const
 {
-    if (mesh_.is_sharp(h) || !mesh_.can_flip(h)) return false;
+    if (mesh_.is_sharp(h)) return false;
     const Index t = mesh_.twin(h);
     const glm::dvec3 u = mesh_.places[mesh_.tail(h)], v = mesh_.places[mesh_.head(h)],
                      w = mesh_.places[mesh_.tail(HalfEdges::before(h))],
@@ -156,27 +156,32 @@ bool Remesher::may_flip(Index h) const
     const double before = std::min(facing_of(cross_of(u, v, w), both / sum), facing_of(cross_of(v, u, x), both / sum)),
                  after = std::min(facing_of(cross_of(x, w, u), both / sum), facing_of(cross_of(w, x, v), both / sum));
     if (after < std::min(before, kNearFacing)) return false;
-    if (after > before + 0.02 && before < kFacing) return true;
+    if (after > before + 0.02 && before < kFacing) return mesh_.can_flip(h);
     const double own = std::max(sharpest_cosine(u, v, w), sharpest_cosine(v, u, x)),
                  turned = std::max(sharpest_cosine(x, w, u), sharpest_cosine(w, x, v));
-    return turned < own - kBetterAngle;
+    return turned < own - kBetterAngle && mesh_.can_flip(h);
 }
 
 std::size_t Remesher::flip_better()
 {
     std::size_t done = 0;
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-        std::size_t now = 0;
-        for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
-            if (!mesh_.has_triangle(h / 3) || mesh_.twin(h) < h || !may_flip(h)) continue;
+    std::vector<Index> waiting, next;
+    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
+        if (mesh_.has_triangle(h / 3) && h < mesh_.twin(h)) waiting.push_back(h);
+    for (int sweep = 0; sweep < kMostSweeps && !waiting.empty(); ++sweep) {
+        next.clear();
+        for (const Index h : waiting) {
+            if (!may_flip(h)) continue;
             const Index t = mesh_.twin(h);
             const glm::dvec3 both = glm::normalize(mesh_.facing[h / 3] + mesh_.facing[t / 3]);
             mesh_.flip(h);
             mesh_.facing[h / 3] = mesh_.facing[t / 3] = both;
-            ++now;
+            ++done;
+            // What lies about it may be better turned, too.
+            for (const Index o : {HalfEdges::next(h), HalfEdges::before(h), HalfEdges::next(t), HalfEdges::before(t)})
+                next.push_back(o);
         }
-        done += now;
-        if (now == 0) break;
+        waiting.swap(next);
     }
     return done;
 }

@@ -13,7 +13,7 @@ constexpr double kGrading = 0.55;       // how much longer edges are a unit of l
 constexpr double kClearly = 0.3;        // of a triangle's cosine: it lies on its own side
 constexpr double kUsualSide = 0.8;      // of the longest side: the wanted length, where it is kept
 constexpr double kSame = 0.5;           // cosine: a triangle's surface is not met by what turns more
-constexpr double kWellFacing = 0.9990;  // cosine of 2.6 degrees
+constexpr double kWellFacing = 0.9988;  // cosine of 2.8 degrees
 
 }  // namespace
 
