@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kAgrees = 0.5;   // cosine: the surface that is met is the vertex's own
 constexpr double kTurned = 0.77;  // cosine of 40 degrees: triangles that moves make look so near to the surface
-constexpr double kStill = 0.06;  // of the wanted length: steps that are not worth a ray
+constexpr double kStill = 0.06;  // of the shortest edge: steps that are not worth a ray
 constexpr double kStep = 0.7;     // of the way to the middle of the neighbours
 constexpr double kSettled = 10.0;  // tolerances: vertices are no farther from where they belong
 constexpr double kLean = 0.966;   // cosine of 15 degrees: moves make no sharper angle
@@ -126,7 +126,7 @@ void Remesher::move_all(bool smooth)
         if (!mesh_.has_vertex(v)) return;
         const glm::dvec3 to = smooth ? wanted_place(v) : mesh_.places[v];
         // Who is where he belongs costs no ray.
-        if (normals_[v] != glm::dvec3(0.0) && glm::length(to - mesh_.places[v]) < kStill * lengths_[v]) return;
+        if (normals_[v] != glm::dvec3(0.0) && glm::length(to - mesh_.places[v]) < kStill * shortest_edge(v)) return;
         moves[v] = moved(v, to);
     });
     for (Index v = 0; v < mesh_.vertices(); ++v) {

@@ -35,6 +35,13 @@ double Remesher::longest_side(Index f) const
     return std::max(length(3 * f), std::max(length(3 * f + 1), length(3 * f + 2)));
 }
 
+double Remesher::shortest_edge(Index v) const
+{
+    double out = csg::kInfinity;
+    mesh_.each_out(v, [&](Index h) { out = std::min(out, length(h)); });
+    return out;
+}
+
 Remesher::Remesher(const Body& body, const csg::Aabb& extent, const RefineOptions& options)
     : body_(body), options_(options)
 {
@@ -82,8 +89,13 @@ bool Remesher::run()
         }
         round();
     }
-    for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i)
+    for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i) {
+        if (any_folded()) {
+            look_at_surface();
+            settle(false);
+        }
         for (int k = 0; k < kMoreRounds; ++k) round();
+    }
     move_all(false);
     return !overrun_;
 }

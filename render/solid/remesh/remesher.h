@@ -52,6 +52,7 @@ private:
     std::size_t collapse_short();
     std::size_t flip_better();
     std::size_t unfold();
+    bool any_folded() const;
     bool may_collapse(Index h, bool unfolding) const;
     bool may_flip(Index h) const;
 
@@ -77,6 +78,7 @@ private:
     glm::dvec3 middle_of(Index f) const;
     double longest_side(Index f) const;
     double length(Index h) const { return glm::length(mesh_.places[mesh_.head(h)] - mesh_.places[mesh_.tail(h)]); }
+    double shortest_edge(Index v) const;
     double wanted_length(Index h) const { return std::min(lengths_[mesh_.tail(h)], lengths_[mesh_.head(h)]); }
 
     /// f(i) for i below `count`, by threads.

@@ -126,6 +126,13 @@ std::size_t Remesher::unfold()
     return done;
 }
 
+bool Remesher::any_folded() const
+{
+    for (Index f = 0; f < mesh_.triangles(); ++f)
+        if (mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < kFacing) return true;
+    return false;
+}
+
 std::size_t Remesher::collapse_short()
 {
     std::size_t done = 0;
