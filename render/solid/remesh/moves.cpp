@@ -87,20 +87,17 @@ glm::dvec3 Remesher::wanted_place(Index v) const
 bool Remesher::may_move(Index v, const glm::dvec3& to) const
 {
     const glm::dvec3 here = mesh_.places[v];
-    double cost_before = 0.0, cost_after = 0.0;
-    bool good = true;
+    double turned = 0.0, will_turn = 0.0, thin = 0.0, will_be_thin = 0.0;
     mesh_.each_out(v, [&](Index h) {
-        if (!good) return;
         const glm::dvec3 a = mesh_.places[mesh_.head(h)], b = mesh_.places[mesh_.tail(HalfEdges::before(h))];
         const glm::dvec3 facing = mesh_.facing[h / 3];
-        cost_before += std::max(0.0, kTurned - facing_of(cross_of(here, a, b), facing));
-        cost_after += std::max(0.0, kTurned - facing_of(cross_of(to, a, b), facing));
-        const double lean = sharpest_cosine(to, a, b);
-        if (lean > kLean && lean > sharpest_cosine(here, a, b) + 1e-6)
-            good = good && normals_[v] == glm::dvec3(0.0) && lean < 0.9995;
+        turned += std::max(0.0, kTurned - facing_of(cross_of(here, a, b), facing));
+        will_turn += std::max(0.0, kTurned - facing_of(cross_of(to, a, b), facing));
+        thin += std::max(0.0, sharpest_cosine(here, a, b) - kLean);
+        will_be_thin += std::max(0.0, sharpest_cosine(to, a, b) - kLean);
     });
-    if (cost_after > 0.0) return cost_after < cost_before;
-    return good;
+    if (will_turn > 0.0 || turned > 0.0) return will_turn < turned;
+    return will_be_thin <= thin || normals_[v] == glm::dvec3(0.0);
 }
 
 /// All vertices go where they belong, whatever becomes of their triangles: those about sharp edges are set right later.

@@ -10,7 +10,7 @@ namespace solid {
 namespace {
 
 constexpr double kCoarser = 3.0;       // tetrahedra may be so much farther off than what is made of them
-constexpr double kOffShare = 0.4;      // of the tolerance: the aim, as not all places are looked at
+constexpr double kOffShare = 0.5;      // of the tolerance: the aim, as not all places are looked at
 constexpr double kLeastLength = 1e-3;  // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
 constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3;

@@ -13,6 +13,7 @@ constexpr double kNearFacing = 0.98;    // of 11: they do not get worse than tha
 constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
 constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
 constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
+constexpr double kMuchShorter = 0.3;     // than the wanted length
 constexpr double kBetterCost = 1e-9;
 constexpr int kMostSweeps = 8;
 
@@ -81,7 +82,8 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
     if (!mesh_.can_collapse(h)) return false;
     const glm::dvec3 from = mesh_.places[u], to = mesh_.places[v];
     bool good = true;
-    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0, cost_before = 0.0, cost_after = 0.0;
+    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0, cost_before = 0.0, cost_after = 0.0,
+           thin_before = 0.0, thin_after = 0.0;
     mesh_.each_out(u, [&](Index o) {
         if (!good) return;
         const Index w = mesh_.head(o), x = mesh_.tail(HalfEdges::before(o));
@@ -90,13 +92,17 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
             good = false;
             return;
         }
-        worst_before = std::max(worst_before, sharpest_cosine(from, mesh_.places[w], mesh_.places[x]));
+        const double was = sharpest_cosine(from, mesh_.places[w], mesh_.places[x]);
+        worst_before = std::max(worst_before, was);
+        thin_before += std::max(0.0, was - kWellShaped);
         cost_before += std::max(0.0, kFacing - facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]),
                                                          mesh_.facing[o / 3]));
         if (w == v || x == v) return;
         const glm::dvec3 n = cross_of(to, mesh_.places[w], mesh_.places[x]);
         cost_after += std::max(0.0, kFacing - facing_of(n, mesh_.facing[o / 3]));
-        worst_after = std::max(worst_after, sharpest_cosine(to, mesh_.places[w], mesh_.places[x]));
+        const double is = sharpest_cosine(to, mesh_.places[w], mesh_.places[x]);
+        worst_after = std::max(worst_after, is);
+        thin_after += std::max(0.0, is - kWellShaped);
         nearest = std::min(nearest, std::abs(glm::dot(from - to, n)) / glm::length(n));
         if (kinds_[u] == Kind::Crease && mesh_.is_sharp(o)) {
             // The edge is bent no farther off than triangles may be.
@@ -107,7 +113,7 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
     if (!good || nearest > off_) return false;
     if (cost_after > 0.0 || unfolding) return cost_after < cost_before - kBetterCost;
     return worst_after < kWellShaped || (worst_after < worst_before + 1e-9) ||
-           (worst_after < kBarely && length(h) < 0.3 * wanted_length(h));
+           ((worst_after < kBarely || thin_after < thin_before) && length(h) < kMuchShorter * wanted_length(h));
 }
 
 /// Triangles that look away from the surface: an edge of theirs goes, however long it is.
