@@ -82,7 +82,7 @@ bool Remesher::run()
         unfold();
     };
     for (int i = 0; i < kRounds && !overrun_; ++i) {
-        if (i == 2 || i == 4) {  // triangles are better now, and tell edges and curvature better
+        if (i == 2 || (i == 4 && any_folded())) {  // triangles are better now, and tell edges and curvature better
             look_at_surface();
             find_lengths();
             settle(false);

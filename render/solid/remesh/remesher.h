@@ -100,6 +100,7 @@ private:
     std::size_t most_triangles_ = 0;
     bool overrun_ = false;             ///< there would be more
     std::vector<SurfacePoint> feet_;   ///< by triangle, of its middle
+    std::vector<glm::dvec3> fitting_;  ///< by triangle: its middle, when it was found to fit
     std::vector<Kind> kinds_;          ///< by vertex
     std::vector<double> lengths_;      ///< by vertex: of edges about it
     std::vector<glm::dvec3> normals_;  ///< by vertex, of smooth ones that lie on the surface; else 0

@@ -276,8 +276,10 @@ void Remesher::face_again()
 std::size_t Remesher::look_for_misfits()
 {
     std::vector<double> shares(mesh_.triangles(), 1.0);
+    fitting_.resize(mesh_.triangles(), glm::dvec3(csg::kInfinity));
     each(mesh_.triangles(), [&](Index f) {
         if (!mesh_.has_triangle(f)) return;
+        if (middle_of(f) == fitting_[f]) return;  // it is what it was
         const glm::dvec3 n = cross_at(f);
         const double area = glm::length(n), side = longest_side(f);
         if (!(area > 1e-3 * side * side)) return;
@@ -289,6 +291,7 @@ std::size_t Remesher::look_for_misfits()
         const double cosine = glm::dot(foot.at.normal, n / area);
         if (std::abs(foot.end.t) > off_) shares[f] = std::clamp(std::sqrt(off_ / std::abs(foot.end.t)), 0.5, 0.9);
         if (cosine < kWellFacing) shares[f] = std::min(shares[f], cosine < 0.985 ? 0.5 : 0.75);
+        if (shares[f] >= 1.0) fitting_[f] = middle_of(f);
     });
     std::size_t found = 0;
     for (Index f = 0; f < mesh_.triangles(); ++f) {
