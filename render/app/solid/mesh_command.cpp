@@ -187,6 +187,9 @@ private:
         fmt::print("  triangles  {}, vertices {}, parts {}; lattice {}, {} rounds, {} tetrahedra, {:.2f} s\n",
                    part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds, facts.parts,
                    seconds);
+        fmt::print("  made       {}\n",
+                   facts.remeshed ? "anew on the surface, from few tetrahedra"
+                                  : "of tetrahedra alone: anew it would be slow, or it crossed itself or was off");
         fmt::print("  check      {}\n", found.good()
                                             ? "closed, two triangles on each edge, one ring about each vertex, "
                                               "all outward"

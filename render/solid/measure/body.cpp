@@ -41,6 +41,15 @@ scene::Object sharpened(scene::Object object)
     return object;
 }
 
+bool has_searched(const scene::Object& object)
+{
+    if (const auto* csg = std::get_if<scene::Csg>(&object.shape))
+        return std::any_of(csg->operands->begin(), csg->operands->end(), has_searched);
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    return freeform != nullptr && (std::holds_alternative<csg::Isosurface>(freeform->shape->kind) ||
+                                   std::holds_alternative<csg::Julia>(freeform->shape->kind));
+}
+
 /// Around what the node and those below hold.
 csg::Aabb inside_box(const csg::Program& program, const csg::SolidStore& store, std::uint32_t i)
 {
@@ -172,7 +181,8 @@ void unite(std::vector<Chord>& chords, double slack)
 
 }  // namespace
 
-Body::Body(const scene::Object& object, const scene::GlobalSettings& global) : probe_(sharpened(object), global)
+Body::Body(const scene::Object& object, const scene::GlobalSettings& global)
+    : probe_(sharpened(object), global), dear_(has_searched(object))
 {
     const csg::WorldData& world = probe_.world().data();
     for (const csg::WorldItem& item : world.items) bounds_.include(inside_box(world, item));

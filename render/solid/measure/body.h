@@ -55,12 +55,16 @@ public:
 
     double slack() const { return slack_; }
 
+    /// Whether a line costs much: an isosurface or a julia set is searched along it.
+    bool is_dear() const { return dear_; }
+
 private:
     plan::ObjectProbe probe_;
     csg::Aabb bounds_;
     glm::dvec3 middle_{0.0};
     double radius_ = 0.0;  ///< of a sphere about middle_ that holds the box, where that is finite
     double slack_ = 0.0;
+    bool dear_ = false;
 };
 
 }  // namespace solid

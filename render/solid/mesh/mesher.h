@@ -8,6 +8,7 @@ namespace solid {
 
 struct MeshFacts : RefineFacts {
     std::size_t joined = 0;  ///< vertices that single precision put in one place
+    bool remeshed = false;   ///< remesh() made it anew; else it is as the lattice cut it
     std::size_t specks = 0;  ///< parts that are smaller than the tolerance, left out
 };
 

@@ -6,12 +6,12 @@
 namespace solid {
 namespace {
 
-constexpr double kAgrees = 0.5;   // cosine: the surface that is met is the vertex's own
-constexpr double kTurned = 0.77;  // cosine of 40 degrees: triangles that moves make look so near to the surface
-constexpr double kStill = 0.06;  // of the shortest edge: steps that are not worth a ray
-constexpr double kStep = 0.7;     // of the way to the middle of the neighbours
+constexpr double kAgrees = 0.5;    // cosine: the surface that is met is the vertex's own
+constexpr double kTurned = 0.77;   // cosine of 40 degrees: triangles that moves make look so near to the surface
+constexpr double kStill = 0.06;    // of the shortest edge: steps that are not worth a ray
+constexpr double kStep = 0.7;      // of the way to the middle of the neighbours
 constexpr double kSettled = 10.0;  // tolerances: vertices are no farther from where they belong
-constexpr double kLean = 0.966;   // cosine of 15 degrees: moves make no sharper angle
+constexpr double kLean = 0.966;    // cosine of 15 degrees: moves make no sharper angle
 
 }  // namespace
 
@@ -96,7 +96,7 @@ bool Remesher::may_move(Index v, const glm::dvec3& to) const
         thin += std::max(0.0, sharpest_cosine(here, a, b) - kLean);
         will_be_thin += std::max(0.0, sharpest_cosine(to, a, b) - kLean);
     });
-    if (will_turn > 0.0 || turned > 0.0) return will_turn < turned;
+    if (will_turn > 0.0 || turned > 0.0) return will_turn < turned || to == here;
     return will_be_thin <= thin || normals_[v] == glm::dvec3(0.0);
 }
 

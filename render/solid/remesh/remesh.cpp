@@ -5,13 +5,16 @@
 #include "render/solid/remesh/remesher.h"
 
 #include <algorithm>
+#include <array>
 
 namespace solid {
 namespace {
 
-constexpr double kCoarser = 3.0;       // tetrahedra may be so much farther off than what is made of them
-constexpr double kOffShare = 0.5;      // of the tolerance: the aim, as not all places are looked at
-constexpr double kLeastLength = 1e-3;  // of the body's size
+/// Tetrahedra may be so much farther off than what is made of them; where that comes out folded, others are tried.
+constexpr std::array<double, 2> kCoarser{3.0, 2.0};
+constexpr double kOffShare = 0.5;                          // of the tolerance: the aim, as not all places are looked at
+constexpr double kFolded = 0.5;                            // cosine of 60 degrees
+constexpr double kLeastLength = 1e-3;                      // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
 constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3;
 
@@ -100,11 +103,19 @@ bool Remesher::run()
     return !overrun_;
 }
 
+bool Remesher::folded() const
+{
+    bool found = false;
+    for (Index f = 0; f < mesh_.triangles() && !found; ++f)
+        found = mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < kFolded;
+    return found;
+}
+
 bool remesh(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh)
 {
     Remesher remesher(body, extent, options);
     if (!check(mesh).good() || !remesher.take(mesh)) return false;
-    if (!remesher.run()) return false;
+    if (!remesher.run() || remesher.folded()) return false;
     TriangleMesh made = remesher.result();
     if (!check(made).good() || crossings(made) > 0) return false;
     mesh = std::move(made);
@@ -121,10 +132,18 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
 
 TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
 {
-    RefineOptions coarse = options;
-    coarse.tolerance *= kCoarser;
-    TriangleMesh mesh = mesh_of(body, extent, coarse, facts);
-    if (remesh(body, extent, options, mesh)) return mesh;
+    for (const double times : kCoarser) {
+        if (body.is_dear()) break;
+        facts = {};
+        RefineOptions coarse = options;
+        coarse.tolerance *= times;
+        TriangleMesh mesh = mesh_of(body, extent, coarse, facts);
+        if (facts.late || facts.full) break;
+        if (remesh(body, extent, options, mesh)) {
+            facts.remeshed = true;
+            return mesh;
+        }
+    }
     return plain_mesh_of(body, extent, options, facts);
 }
 

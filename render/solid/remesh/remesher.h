@@ -22,6 +22,8 @@ public:
     void look_at_surface();
     /// False where it needs many more triangles than there were: something about the surface is not understood.
     bool run();
+    /// Whether a triangle looks far away from the surface.
+    bool folded() const;
     TriangleMesh result() const;
 
 private:

@@ -13,7 +13,8 @@ constexpr double kNearFacing = 0.98;    // of 11: they do not get worse than tha
 constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
 constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
 constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
-constexpr double kMuchShorter = 0.3;     // than the wanted length
+constexpr double kMuchShorter = 0.3;    // than the wanted length
+constexpr double kOnePlace = 0.1, kBearable = 0.2;
 constexpr double kBetterCost = 1e-9;
 constexpr int kMostSweeps = 8;
 
@@ -95,8 +96,8 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
         const double was = sharpest_cosine(from, mesh_.places[w], mesh_.places[x]);
         worst_before = std::max(worst_before, was);
         thin_before += std::max(0.0, was - kWellShaped);
-        cost_before += std::max(0.0, kFacing - facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]),
-                                                         mesh_.facing[o / 3]));
+        cost_before +=
+            std::max(0.0, kFacing - facing_of(cross_of(from, mesh_.places[w], mesh_.places[x]), mesh_.facing[o / 3]));
         if (w == v || x == v) return;
         const glm::dvec3 n = cross_of(to, mesh_.places[w], mesh_.places[x]);
         cost_after += std::max(0.0, kFacing - facing_of(n, mesh_.facing[o / 3]));
@@ -111,6 +112,8 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
         }
     });
     if (!good || nearest > off_) return false;
+    // Vertices in nearly the same place are one, if the rest can bear it.
+    if (length(h) < kOnePlace * least_ && cost_after < cost_before + kBearable) return true;
     if (cost_after > 0.0 || unfolding) return cost_after < cost_before - kBetterCost;
     return worst_after < kWellShaped || (worst_after < worst_before + 1e-9) ||
            ((worst_after < kBarely || thin_after < thin_before) && length(h) < kMuchShorter * wanted_length(h));

@@ -219,8 +219,7 @@ void Remesher::find_lengths()
         if (is_sliver(h / 3) || is_sliver(t / 3)) continue;
         const double turn = glm::length(mesh_.facing[h / 3] - mesh_.facing[t / 3]);
         if (turn < 1e-6) continue;
-        const double bend =
-            turn / std::max(glm::length(middle_of(h / 3) - middle_of(t / 3)), 2.0 * options_.tolerance);
+        const double bend = turn / std::max(glm::length(middle_of(h / 3) - middle_of(t / 3)), 2.0 * options_.tolerance);
         const double own = std::max(least_, std::min(std::sqrt(6.0 * off_ / bend), kMostTurn / bend));
         for (const Index v :
              {mesh_.tail(h), mesh_.head(h), mesh_.tail(HalfEdges::before(h)), mesh_.tail(HalfEdges::before(t))})

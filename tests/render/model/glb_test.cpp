@@ -1,4 +1,5 @@
 #include "render/model/glb_reader.h"
+#include "tests/render/model/failure_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -66,14 +67,7 @@ const std::string kIndexed = R"({"attributes":{"POSITION":0},"indices":4})";
 
 std::string glb_failure(const std::string& bytes)
 {
-    try {
-        (void)model::glb_of(bytes);
-    } catch (const model::ModelError& error) {
-        const std::string place =
-            error.byte != model::ModelError::kNowhere ? "byte " + std::to_string(error.byte) + ": " : "";
-        return place + error.what();
-    }
-    return "none";
+    return failure_of([](const std::string& all) { return model::glb_of(all); }, bytes);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "render/model/ply_reader.h"
+#include "tests/render/model/failure_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -22,14 +23,7 @@ std::string ply_head_of(const std::string& elements, const char* format = "ascii
 
 std::string ply_failure(const std::string& bytes)
 {
-    try {
-        (void)model::ply_of(bytes);
-    } catch (const model::ModelError& error) {
-        const std::string place = error.byte != model::ModelError::kNowhere ? "byte " + std::to_string(error.byte)
-                                                                            : std::to_string(error.line);
-        return place + ": " + error.what();
-    }
-    return "none";
+    return failure_of([](const std::string& all) { return model::ply_of(all); }, bytes);
 }
 
 template <class Number>

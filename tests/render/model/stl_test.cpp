@@ -1,5 +1,6 @@
 #include "render/model/read_model.h"
 #include "render/model/stl_reader.h"
+#include "tests/render/model/failure_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -41,14 +42,7 @@ const std::vector<StlTriangle> kTetrahedron = {{{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}
 
 std::string stl_failure(const std::string& bytes)
 {
-    try {
-        (void)model::stl_of(bytes);
-    } catch (const model::ModelError& error) {
-        const std::string place = error.byte != model::ModelError::kNowhere ? "byte " + std::to_string(error.byte)
-                                                                            : std::to_string(error.line);
-        return place + ": " + error.what();
-    }
-    return "none";
+    return failure_of([](const std::string& all) { return model::stl_of(all); }, bytes);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "render/model/three_mf_reader.h"
+#include "tests/render/model/failure_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -99,14 +100,7 @@ std::string model_of(const std::string& resources, const std::string& build, con
 
 std::string three_mf_failure(const std::string& bytes)
 {
-    try {
-        (void)model::three_mf_of(bytes);
-    } catch (const model::ModelError& error) {
-        const std::string place =
-            error.byte != model::ModelError::kNowhere ? "byte " + std::to_string(error.byte) + ": " : "";
-        return place + error.what();
-    }
-    return "none";
+    return failure_of([](const std::string& all) { return model::three_mf_of(all); }, bytes);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "render/solid/mesh/deviation.h"
 #include "render/solid/mesh/mesher.h"
 #include "render/solid/measure/measure.h"
+#include "render/solid/remesh/crossings.h"
 #include "tests/render/solid/body_of.h"
 
 #include <catch2/catch.hpp>
@@ -10,45 +11,6 @@
 #include <array>
 
 namespace {
-
-using Corners = std::array<glm::dvec3, 3>;
-
-Corners corners_of(const solid::TriangleMesh& mesh, std::size_t i)
-{
-    Corners out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = glm::dvec3(mesh.vertices[mesh.triangles[i][k]]);
-    return out;
-}
-
-/// Whether an edge of a runs through the inside of b.
-bool pierces(const Corners& a, const Corners& b)
-{
-    const glm::dvec3 n = glm::cross(b[1] - b[0], b[2] - b[0]);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 p = a[k], q = a[(k + 1) % 3];
-        const double dp = glm::dot(p - b[0], n), dq = glm::dot(q - b[0], n);
-        if (dp * dq >= 0.0) continue;
-        const glm::dvec3 x = p + (q - p) * (dp / (dp - dq));
-        double least = 1e300;
-        for (std::size_t m = 0; m < 3; ++m)
-            least = std::min(least, glm::dot(n, glm::cross(b[(m + 1) % 3] - b[m], x - b[m])));
-        if (least > 1e-6 * glm::dot(n, n)) return true;  // vertices are in single precision
-    }
-    return false;
-}
-
-/// Every triangle against every other that it has no corner in common with.
-std::size_t crossings(const solid::TriangleMesh& mesh)
-{
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-        for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-            const auto &s = mesh.triangles[i], &t = mesh.triangles[k];
-            if (i == k || std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end()) continue;
-            found += pierces(corners_of(mesh, i), corners_of(mesh, k)) ? 1 : 0;
-        }
-    return found;
-}
 
 solid::TriangleMesh mesh_of_text(const char* scene, solid::RefineOptions options, solid::MeshFacts& facts)
 {
@@ -136,7 +98,7 @@ TEST_CASE("no triangle passes through another", "[solid]")
         REQUIRE(mesh.triangles.size() > 100);
         REQUIRE(mesh.triangles.size() < 20000);
         CHECK(solid::check(mesh).good());
-        CHECK(crossings(mesh) == 0);
+        CHECK(solid::crossings(mesh) == 0);
     }
 }
 
