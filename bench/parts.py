@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Meshes of scenes/parts: written, checked again by a reader of its own, measured, and drawn beside the exact solids.
 
-usage: parts.py [--whittle PROGRAM] [--out FOLDER] [--tolerance T] [--sheet FILE] [--table FILE] [NAME...]
+usage: parts.py [--whittle PROGRAM] [--out FOLDER] [--tolerance T] [--sheet FILE] [--before PROGRAM] [--table FILE] [NAME...]
 
 Each scene becomes FOLDER/NAME.stl and NAME.3mf. Both are read again here, without the program's code: every edge has one
 triangle on each side that runs the other way, triangles about a vertex form one ring, the volume is that of the report.
---sheet draws the exact scene beside its mesh; --table writes the table of docs/parts.md. Exit status 1 if anything fails.
+--sheet draws the exact scene beside its mesh; with --before it does nothing else, and draws another program's mesh between; --table writes the table of docs/parts.md. Exit status 1 if anything fails.
 """
 import argparse
 import pathlib
@@ -141,11 +141,11 @@ def render_scene(whittle, scene, picture, folder):
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300)
 
 
-def draw(whittle, scene, ply, folder):
-    """The exact scene and the same with its meshes, whose normals are those of the file."""
+def meshed_scene(scene, ply, folder):
+    """The scene with its meshes in place of its objects; normals are those of the file."""
     text = scene.read_text()
     head = text[:text.index("#declare Paint")]
-    meshed = folder / (scene.stem + "_mesh.pov")
+    meshed = folder / (ply.stem + "_mesh.pov")
     table, triangles = mesh_quality.read_ply(ply)
     vertices = mesh_quality.vectors(table, "xyz")
     normals = mesh_quality.vectors(table, ("nx", "ny", "nz")) if "nx" in table.dtype.names else None
@@ -157,22 +157,32 @@ def draw(whittle, scene, ply, folder):
         body += "object { %s pigment { srgb <%g, %g, %g> } finish { ambient 0.1 diffuse 0.9 } }\n" % (
             mesh2_text(vertices[used], t.reshape(-1, 3), None if normals is None else normals[used]), *(color / 255))
     meshed.write_text(head + body)
-    pictures = []
-    for source, name in ((scene, scene.stem + "_exact.png"), (meshed, scene.stem + "_mesh.png")):
-        render_scene(whittle, source, folder / name, scene.parent)
-        pictures.append(folder / name)
+    return meshed
+
+
+def draw(whittle, scene, makers, folder, tolerance):
+    """The exact scene, and the same with the meshes that each of the programs makes."""
+    pictures = [folder / (scene.stem + "_exact.png")]
+    render_scene(whittle, scene, pictures[0], scene.parent)
+    for i, maker in enumerate(makers):
+        ply = folder / f"{scene.stem}_{i}.ply"
+        subprocess.run([maker, "mesh", str(scene), "-o", str(ply), f"--tolerance={tolerance}"],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
+        pictures.append(folder / (ply.stem + ".png"))
+        render_scene(whittle, meshed_scene(scene, ply, folder), pictures[-1], scene.parent)
     return pictures
 
 
 def sheet(rows, path):
     from PIL import Image, ImageDraw
-    columns, w, h = 2, 320, 240
+    w, h, each = 320, 240, len(rows[0][1])
+    columns = 4 // each
     lines = (len(rows) + columns - 1) // columns
-    out = Image.new("RGB", (columns * (2 * w + 16), lines * (h + 22)), "white")
+    out = Image.new("RGB", (columns * (each * w + 16), lines * (h + 22)), "white")
     pen = ImageDraw.Draw(out)
     for i, (name, pictures) in enumerate(rows):
-        x, y = (i % columns) * (2 * w + 16), (i // columns) * (h + 22)
-        pen.text((x + 4, y + 4), f"{name}: exact solid, and its mesh", fill="black")
+        x, y = (i % columns) * (each * w + 16), (i // columns) * (h + 22)
+        pen.text((x + 4, y + 4), f"{name}: exact solid, " + ("and its mesh" if each == 2 else "its mesh before, and after"), fill="black")
         for k, picture in enumerate(pictures):
             out.paste(Image.open(picture).convert("RGB"), (x + k * w, y + 20))
     out.save(path, quality=88)
@@ -185,12 +195,16 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("parts"))
     parser.add_argument("--tolerance", default="0.01")
     parser.add_argument("--sheet")
+    parser.add_argument("--before")
     parser.add_argument("--table", type=pathlib.Path)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     failed, rows, table = False, [], []
     for scene in sorted((ROOT / "scenes/parts").glob("*.pov")):
         if options.names and scene.stem not in options.names:
+            continue
+        if options.before:
+            rows.append((scene.stem, draw(options.whittle, scene, (options.before, options.whittle), options.out, options.tolerance)))
             continue
         troubles, report = [], ""
         start = time.time()
@@ -226,10 +240,7 @@ def main():
                          f"{100 * (own / by_rays - 1):+.3f} % | {max(off):.4f} | {seconds:.1f} | "
                          f"{'passed' if not troubles else 'FAILED'} |")
             if options.sheet:
-                ply = options.out / f"{scene.stem}.ply"
-                subprocess.run([options.whittle, "mesh", str(scene), "-o", str(ply), f"--tolerance={options.tolerance}"],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=900)
-                rows.append((scene.stem, draw(options.whittle, scene, ply, options.out)))
+                rows.append((scene.stem, draw(options.whittle, scene, (options.whittle,), options.out, options.tolerance)))
         print(f"{scene.stem:10} {'ok' if not troubles else 'FAILED'}  {seconds:.1f} s  off {max(off, default=0):.4g}")
         for trouble in troubles:
             print("   ", trouble)
