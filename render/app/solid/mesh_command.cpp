@@ -189,7 +189,7 @@ private:
                    seconds);
         fmt::print("  made       {}\n",
                    facts.remeshed ? "anew on the surface, from few tetrahedra"
-                                  : "of tetrahedra alone: anew it would be slow, or it crossed itself or was off");
+                                  : "of tetrahedra alone: made anew it would be slow, or it crossed itself or was off");
         fmt::print("  check      {}\n", found.good()
                                             ? "closed, two triangles on each edge, one ring about each vertex, "
                                               "all outward"

@@ -41,13 +41,14 @@ scene::Object sharpened(scene::Object object)
     return object;
 }
 
-bool has_searched(const scene::Object& object)
+bool has_unsmooth(const scene::Object& object)
 {
     if (const auto* csg = std::get_if<scene::Csg>(&object.shape))
-        return std::any_of(csg->operands->begin(), csg->operands->end(), has_searched);
+        return std::any_of(csg->operands->begin(), csg->operands->end(), has_unsmooth);
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     return freeform != nullptr && (std::holds_alternative<csg::Isosurface>(freeform->shape->kind) ||
-                                   std::holds_alternative<csg::Julia>(freeform->shape->kind));
+                                   std::holds_alternative<csg::Julia>(freeform->shape->kind) ||
+                                   std::holds_alternative<csg::HeightField>(freeform->shape->kind));
 }
 
 /// Around what the node and those below hold.
@@ -182,7 +183,7 @@ void unite(std::vector<Chord>& chords, double slack)
 }  // namespace
 
 Body::Body(const scene::Object& object, const scene::GlobalSettings& global)
-    : probe_(sharpened(object), global), dear_(has_searched(object))
+    : probe_(sharpened(object), global), unsmooth_(has_unsmooth(object))
 {
     const csg::WorldData& world = probe_.world().data();
     for (const csg::WorldItem& item : world.items) bounds_.include(inside_box(world, item));

@@ -55,8 +55,9 @@ public:
 
     double slack() const { return slack_; }
 
-    /// Whether a line costs much: an isosurface or a julia set is searched along it.
-    bool is_dear() const { return dear_; }
+    /// Whether a part of it is not worth being remeshed: isosurfaces and julia sets are searched along each line, which
+    /// is slow, and a height field is small facets.
+    bool is_unsmooth() const { return unsmooth_; }
 
 private:
     plan::ObjectProbe probe_;
@@ -64,7 +65,7 @@ private:
     glm::dvec3 middle_{0.0};
     double radius_ = 0.0;  ///< of a sphere about middle_ that holds the box, where that is finite
     double slack_ = 0.0;
-    bool dear_ = false;
+    bool unsmooth_ = false;
 };
 
 }  // namespace solid

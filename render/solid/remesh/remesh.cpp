@@ -133,7 +133,7 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
 TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
 {
     for (const double times : kCoarser) {
-        if (body.is_dear()) break;
+        if (body.is_unsmooth()) break;
         facts = {};
         RefineOptions coarse = options;
         coarse.tolerance *= times;

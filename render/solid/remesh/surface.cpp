@@ -8,12 +8,12 @@ namespace solid {
 namespace {
 
 constexpr double kSliver = 0.1;         // of the square of the longest side: triangles with less area tell no direction
-constexpr double kMostTurn = 0.32;      // radians of the surface along an edge
+constexpr double kMostTurn = 0.25;      // radians of the surface along an edge
 constexpr double kGrading = 0.55;       // how much longer edges are a unit of length farther away
 constexpr double kClearly = 0.3;        // of a triangle's cosine: it lies on its own side
-constexpr double kUsualSide = 0.8;      // of the longest side: the wanted length, where it is kept
+constexpr double kUsualSide = 0.9;      // of the longest side: the wanted length, where it is kept
 constexpr double kSame = 0.5;           // cosine: a triangle's surface is not met by what turns more
-constexpr double kWellFacing = 0.9988;  // cosine of 2.8 degrees
+constexpr double kWellFacing = 0.9990;  // cosine of 2.6 degrees
 
 }  // namespace
 
@@ -289,7 +289,7 @@ std::size_t Remesher::look_for_misfits()
         }
         const double cosine = glm::dot(foot.at.normal, n / area);
         if (std::abs(foot.end.t) > off_) shares[f] = std::clamp(std::sqrt(off_ / std::abs(foot.end.t)), 0.5, 0.9);
-        if (cosine < kWellFacing) shares[f] = std::min(shares[f], cosine < 0.985 ? 0.5 : 0.75);
+        if (cosine < kWellFacing) shares[f] = std::min(shares[f], cosine < 0.985 ? 0.5 : 0.85);
         if (shares[f] >= 1.0) fitting_[f] = middle_of(f);
     });
     std::size_t found = 0;
