@@ -1,21 +1,14 @@
 #include "python/binding/bodies.h"
 
 #include "python/binding/scene_bodies.h"
+#include "render/app/solid/body_shapes.h"
 #include "render/app/solid/part_file.h"
 #include "render/solid/mesh/check.h"
-#include "render/solid/mesh/deviation.h"
-#include "render/solid/mesh/mesher.h"
-#include "render/solid/section/contour.h"
-#include "render/solid/section/section_check.h"
 
 #include <fmt/format.h>
 
 namespace python {
 namespace {
-
-constexpr std::size_t kDeviationSamples = 60'000;
-constexpr int kMostCells = 128, kMostCutCells = 1024;
-constexpr double kStraight = 0.02;  // of the tolerance: points as near to a line between others are left out
 
 /// What `tell` says of each object; what is no body says why.
 template <class What, class Tell>
@@ -34,14 +27,13 @@ std::vector<What> of_each(const SceneBodies& bodies, const Tell& tell)
     return out;
 }
 
-/// The mean of the faces about each vertex, by their size.
-std::vector<glm::vec3> normals_of(const solid::TriangleMesh& mesh)
+/// Of each vertex: the surface's normal there, on a sharp edge the mean of its sides'.
+std::vector<glm::vec3> vertex_normals(const solid::TriangleMesh& mesh)
 {
     std::vector<glm::vec3> normals(mesh.vertices.size(), glm::vec3(0));
-    for (const auto& t : mesh.triangles) {
-        const glm::vec3 a = mesh.vertices[t[0]], twice = glm::cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
-        for (const std::uint32_t corner : t) normals[corner] += twice;
-    }
+    for (std::size_t i = 0; i < mesh.normal_of.size(); ++i)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            normals[mesh.triangles[i][corner]] += mesh.normals[mesh.normal_of[i][corner]];
     for (glm::vec3& n : normals)
         if (const float length = glm::length(n); length > 0.0f) n /= length;
     return normals;
@@ -77,18 +69,13 @@ std::vector<ToldMesh> mesh(const std::shared_ptr<Source>& source, const Asked& a
             double error = 0.0;
             std::uint64_t rays = 0;
             const csg::Aabb extent = solid::require_extent(body, error, rays);
-            solid::RefineOptions options =
-                app::refine_options(fineness.tolerance, fineness.cells, start, fineness.seconds, job.cancellation);
-            solid::MeshFacts facts;
-            solid::Deviation off;
-            app::make_finer(options, kMostCells, facts, [&](const solid::RefineOptions& now) {
-                out.mesh = solid::mesh_of(body, extent, now, facts);
-                off = solid::deviation(body, extent, out.mesh, kDeviationSamples, now.tolerance, now.cancel);
-                return off.from_body;
-            });
+            app::BodyMesh made = app::mesh_within(
+                body, extent,
+                app::refine_options(fineness.tolerance, fineness.cells, start, fineness.seconds, job.cancellation));
+            out.mesh = std::move(made.mesh);
             app::color_of(*named.object, out.color);
-            out.normals = normals_of(out.mesh);
-            out.deviation = std::max(off.from_mesh, off.from_body);
+            out.normals = vertex_normals(out.mesh);
+            out.deviation = made.worst();
             out.problem = solid::check(out.mesh).complaint();
             if (out.problem.empty()) out.problem = too_far(out.deviation, fineness.tolerance);
         });
@@ -108,19 +95,13 @@ std::vector<ToldSection> section(const std::shared_ptr<Source>& source, const As
             if (plane.value < extent.lower[plane.axis] - error || plane.value > extent.upper[plane.axis] + error)
                 return;
             const solid::CuttingPlane beside = solid::beside_faces(body, extent, plane);
-            solid::RefineOptions options = app::refine_options(fineness.tolerance, solid::kContourCells, start,
-                                                               fineness.seconds, job.cancellation);
-            solid::RefineFacts facts;
-            solid::SectionCheck off;
-            app::make_finer(options, kMostCutCells, facts, [&](const solid::RefineOptions& now) {
-                out.loops = solid::without_straight_points(solid::contour_of(body, extent, beside, now, facts),
-                                                           kStraight * now.tolerance);
-                off = solid::check_section(body, extent, beside, out.loops, now.tolerance, now.cancel);
-                return off.from_body;
-            });
+            app::BodySection cut = app::section_within(body, extent, beside,
+                                                       app::refine_options(fineness.tolerance, solid::kContourCells,
+                                                                           start, fineness.seconds, job.cancellation));
+            out.loops = std::move(cut.loops);
             out.area = solid::area_of(out.loops);
-            out.area_error = off.area.error;
-            out.deviation = std::max(off.from_loops, off.from_body);
+            out.area_error = cut.off.area.error;
+            out.deviation = cut.worst();
             out.problem = too_far(out.deviation, fineness.tolerance);
         });
     });

@@ -45,7 +45,8 @@ class Mesh:
     #: uint32, (m, 3): indices of vertices; the cross product of the sides from the first to the second and third points out
     #: of the body. In the right-handed space of STL, OBJ and 3MF the same is `vertices[:, [0, 2, 1]]`, `faces[:, ::-1]`
     faces: numpy.ndarray = field(repr=False)
-    normals: numpy.ndarray = field(repr=False)  #: float32, (n, 3): out of the body, length 1, the mean of the faces about
+    #: float32, (n, 3): the surface's, out of the body, length 1; where sides meet, the mean of theirs
+    normals: numpy.ndarray = field(repr=False)
     color: Tuple[float, float, float]  #: of the pigment, sRGB, 0 to 1
     deviation: float  #: greatest distance between mesh and object that was found, scene units
 

@@ -9,7 +9,11 @@ using numbers_test::kInf;
 using numbers_test::kNan;
 
 // The C library's functions of 113 bits, by the names that C++ does not know yet.
+#ifdef __aarch64__
+using Quad = long double;
+#else
 using Quad = __float128;
+#endif
 extern "C" {
 Quad sinf128(Quad);
 Quad cosf128(Quad);

@@ -6,6 +6,7 @@
 #include "render/app/options/positive.h"
 #include "render/app/output/whole_text.h"
 #include "render/app/solid/bodies.h"
+#include "render/app/solid/body_shapes.h"
 #include "render/app/solid/part_file.h"
 #include "render/image/codecs/module_path.h"
 #include "render/image/picture_writer.h"
@@ -14,9 +15,6 @@
 #include "render/solid/files/write.h"
 #include "render/solid/measure/measure.h"
 #include "render/solid/mesh/check.h"
-#include "render/solid/mesh/deviation.h"
-#include "render/solid/mesh/mesher.h"
-#include "render/solid/remesh/remesh.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -42,8 +40,6 @@ Declare=, +L, Clock= and INI files are as for a render. Exit status: 0 done, 1 n
 it may be, 2 cancelled.
 )";
 
-constexpr std::size_t kSamples = 60'000;
-constexpr int kMostCells = 128;
 constexpr double kUsualSeconds = 60.0;
 
 struct MeshRequest {
@@ -139,19 +135,9 @@ private:
         double extent_error = 0.0;
         std::uint64_t rays = 0;
         const csg::Aabb extent = solid::require_extent(body, extent_error, rays);
-        solid::RefineOptions options =
-            refine_options(request_.tolerance, request_.cells, start, request_.seconds, cancel_);
-        solid::MeshFacts facts;
-        solid::Deviation off;
-        make_finer(options, kMostCells, facts, [&](const solid::RefineOptions& now) {
-            part.mesh = solid::good_mesh_of(body, extent, now, facts);
-            off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
-            if (std::max(off.from_mesh, off.from_body) > now.tolerance) {
-                part.mesh = solid::plain_mesh_of(body, extent, now, facts);
-                off = solid::deviation(body, extent, part.mesh, kSamples, now.tolerance, now.cancel);
-            }
-            return off.from_body;
-        });
+        BodyMesh made = mesh_within(
+            body, extent, refine_options(request_.tolerance, request_.cells, start, request_.seconds, cancel_));
+        part.mesh = std::move(made.mesh);
         const solid::MeshCheck found = solid::check(part.mesh);
         solid::MeasureOptions measuring;
         measuring.precision = 1e-3;
@@ -159,7 +145,7 @@ private:
         measuring.cancel = &cancel_.requested;
         const solid::Measures measures = solid::measure(body, measuring);
         const double seconds = std::chrono::duration<double>(PartClock::now() - start).count();
-        report(part, facts, off, found, measures, options.cells, seconds);
+        report(part, made, found, measures, seconds);
         if (!found.good()) {
             fmt::print(stderr, "{}: not written: {}\n", part.name, found.complaint());
             status_ = kError;
@@ -172,21 +158,22 @@ private:
             status_ = kError;
             return false;
         }
-        const double worst = std::max(off.from_mesh, off.from_body);
-        if (worst > request_.tolerance) {
-            tell_too_far(part.name, "it", worst, request_.tolerance, facts);
+        if (made.worst() > request_.tolerance) {
+            tell_too_far(part.name, "it", made.worst(), request_.tolerance, made.facts);
             status_ = kError;
         }
         return true;
     }
 
-    static void report(const solid::FilePart& part, const solid::MeshFacts& facts, const solid::Deviation& off,
-                       const solid::MeshCheck& found, const solid::Measures& measures, int cells, double seconds)
+    static void report(const solid::FilePart& part, const BodyMesh& made, const solid::MeshCheck& found,
+                       const solid::Measures& measures, double seconds)
     {
+        const solid::MeshFacts& facts = made.facts;
+        const solid::Deviation& off = made.off;
         fmt::print("{}\n", part.name);
         fmt::print("  triangles  {}, vertices {}, parts {}; lattice {}, {} rounds, {} tetrahedra, {:.2f} s\n",
-                   part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, cells, facts.rounds, facts.parts,
-                   seconds);
+                   part.mesh.triangles.size(), part.mesh.vertices.size(), found.parts, made.cells, facts.rounds,
+                   facts.parts, seconds);
         fmt::print("  made       {}\n",
                    facts.remeshed ? "anew on the surface, from few tetrahedra"
                                   : "of tetrahedra alone: made anew it would be slow, or it crossed itself or was off");

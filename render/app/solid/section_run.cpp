@@ -2,9 +2,8 @@
 
 #include "render/app/output/whole_text.h"
 #include "render/app/report/json_writer.h"
+#include "render/app/solid/body_shapes.h"
 #include "render/app/solid/part_file.h"
-#include "render/solid/section/contour.h"
-#include "render/solid/section/section_check.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +14,7 @@
 namespace app {
 namespace {
 
-constexpr int kMostCutCells = 1024;
-constexpr double kStraight = 0.02;  // of the tolerance: points as near to a line between others are left out
-constexpr double kExact = 1e-3;     // of the tolerance: numbers in files
+constexpr double kExact = 1e-3;  // of the tolerance: numbers in files
 constexpr const char* kAxes = "xyz";
 
 class SectionRun {
@@ -84,28 +81,23 @@ private:
         if (plane.value != value)
             fmt::print(stderr, "{}: note: a face of it lies in {}; drawn is the cut {:.2g} {} it\n", part.name,
                        plane_text(), std::abs(plane.value - value), plane.value > value ? "above" : "below");
-        solid::RefineOptions options =
-            refine_options(request_.tolerance, solid::kContourCells, start, request_.seconds, cancel_);
-        solid::RefineFacts facts;
-        solid::SectionCheck off;
-        make_finer(options, kMostCutCells, facts, [&](const solid::RefineOptions& now) {
-            part.loops = solid::without_straight_points(solid::contour_of(body, extent, plane, now, facts),
-                                                        kStraight * now.tolerance);
-            off = solid::check_section(body, extent, plane, part.loops, now.tolerance, now.cancel);
-            return off.from_body;
-        });
+        BodySection cut =
+            section_within(body, extent, plane,
+                           refine_options(request_.tolerance, solid::kContourCells, start, request_.seconds, cancel_));
+        part.loops = std::move(cut.loops);
         if (part.loops.empty()) {
             fmt::print(stderr, "{}: not cut: nothing of it lies in {}\n", part.name, plane_text());
             return false;
         }
         const double seconds = std::chrono::duration<double>(PartClock::now() - start).count();
-        report(part, facts, off, options.cells, seconds);
-        return judge(part, facts, off);
+        report(part, cut, seconds);
+        return judge(part, cut);
     }
 
-    void report(const solid::DrawnPart& part, const solid::RefineFacts& facts, const solid::SectionCheck& off,
-                int cells, double seconds) const
+    void report(const solid::DrawnPart& part, const BodySection& cut, double seconds) const
     {
+        const solid::RefineFacts& facts = cut.facts;
+        const solid::SectionCheck& off = cut.off;
         std::size_t points = 0;
         for (const solid::Loop& loop : part.loops) points += loop.size();
         const double area = solid::area_of(part.loops), length = solid::length_of(part.loops);
@@ -119,7 +111,7 @@ private:
         }
         fmt::print("{}\n", part.name);
         fmt::print("  loops      {}, points {}; lattice {}, {} rounds, {} triangles of the plane, {:.2f} s\n",
-                   part.loops.size(), points, cells, facts.rounds, facts.parts, seconds);
+                   part.loops.size(), points, cut.cells, facts.rounds, facts.parts, seconds);
         fmt::print("  area       {:.9g}, by rays {:.9g} +- {:.2g}\n", area, off.area.value, off.area.error);
         fmt::print("  length     {:.9g}\n", length);
         fmt::print("  deviation  of the drawing {:.3g}, of the object {:.3g}, {} places\n", off.from_loops,
@@ -130,11 +122,11 @@ private:
     }
 
     /// Whether the drawing is the body's cut: what is only farther off than it may be is told, and drawn.
-    bool judge(const solid::DrawnPart& part, const solid::RefineFacts& facts, const solid::SectionCheck& off)
+    bool judge(const solid::DrawnPart& part, const BodySection& cut)
     {
-        const double worst = std::max(off.from_loops, off.from_body);
-        if (worst > request_.tolerance) {
-            tell_too_far(part.name, "the cut", worst, request_.tolerance, facts);
+        const solid::SectionCheck& off = cut.off;
+        if (cut.worst() > request_.tolerance) {
+            tell_too_far(part.name, "the cut", cut.worst(), request_.tolerance, cut.facts);
             status_ = kError;
             return true;
         }
