@@ -29,6 +29,8 @@ void check_fits(const Settings& settings, const std::string& path);
 [[noreturn]] void refuse_memory(std::size_t bytes);
 /// What an exception says, of refused memory that too.
 std::string text_of(const std::exception& error);
+/// Whether it says that the system starts no more threads.
+bool refuses_thread(const std::exception& error);
 
 /// Whether the folder of `path` has room for the picture and a state of all its blocks.
 bool has_room_for_state(const Settings& settings, const std::string& path);

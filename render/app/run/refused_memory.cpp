@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <string_view>
+#include <system_error>
 
 // Memory that the system refuses is told with its size: the standard's std::bad_alloc says its own name. Nothing here
 // may allocate.
@@ -59,8 +61,17 @@ private:
 
 void refuse_memory(std::size_t bytes) { throw RefusedMemory(bytes); }
 
+bool refuses_thread(const std::exception& error)
+{
+    const auto* const system = dynamic_cast<const std::system_error*>(&error);
+    if (system != nullptr) return system->code() == std::errc::resource_unavailable_try_again;
+    return std::string_view(error.what()).starts_with("pthread_create ");  // TBB's, a plain std::runtime_error
+}
+
 std::string text_of(const std::exception& error)
 {
+    if (refuses_thread(error))
+        return "a thread cannot be started: this process may have no more memory (ulimit -v) or threads (ulimit -u)";
     const bool refused = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
     if (!refused || dynamic_cast<const RefusedMemory*>(&error) != nullptr) return error.what();
     Text text{};

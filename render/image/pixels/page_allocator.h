@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 namespace image {
@@ -30,7 +31,8 @@ struct PageAllocator {
     T* allocate(std::size_t count)
     {
         void* memory = std::calloc(count, sizeof(T));
-        if (memory == nullptr) throw std::bad_alloc();
+        if (memory == nullptr)  // operator new tells how much is refused
+            memory = std::memset(::operator new(count * sizeof(T)), 0, count * sizeof(T));
         const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
         const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + count * sizeof(T)) / kPage * kPage;
         if (pages == Pages::large && begin < end)  // where the kernel has no such pages this changes nothing
