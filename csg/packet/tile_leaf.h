@@ -233,7 +233,8 @@ private:
                 } else {
                     each_ray(asked, [&](std::size_t k) {
                         const Ray ray = rays.ray(static_cast<int>(k));
-                        each_span_of(solid, ray, false, rays.t_min[k], rays.limit[k], origin_reach(ray), {},
+                        each_span_of(solid, ray, false, rays.t_min[k], rays.limit[k], origin_reach(ray),
+                                     {program.nodes.data(), of.node, {}},
                                      query.scratch().leaf_spans(program.nodes[of.node].max_spans),
                                      [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                                          offer(k, in, in_face);
@@ -259,13 +260,19 @@ private:
     {
         if (serves_merged(world.items[index])) mask = by_merged(index, mask);
         FetchedSpans& known = query.scratch().fetched;
-        for (const Node& node : world.programs[world.items[index].program].nodes) {
+        const std::vector<Node>& nodes = world.programs[world.items[index].program].nodes;
+        for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+            const Node& node = nodes[i];
             if (node.op != Op::Leaf || kind_of(node.solid) != SolidKind::Freeform) continue;
             const Freeform& solid = world.store.all<Freeform>()[index_of(node.solid)];
             if (!solid.intersects_many()) continue;
             const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
             const RayMask asked = node.test_box ? rays.intersect(corner(node.lower), corner(node.upper), mask) : mask;
-            if ((asked & (asked - 1)) != 0) known.add(&solid, told_of(solid, asked, false));
+            if ((asked & (asked - 1)) == 0) continue;
+            const RayBatch& told = told_of(solid, asked, false, [&](const Ray& ray, Stretch& range) {
+                return narrow_to_deciding(nodes.data(), i, ray, range);
+            });
+            known.add(&node, told, [&](std::size_t k) { return std::pair(rays.t_min[k], rays.limit[k]); });
         }
         if (serves_ends(world.items[index], mask)) mask = by_ends(index, mask);
         for (; mask != 0; mask &= mask - 1) {
@@ -278,10 +285,19 @@ private:
     template <class Solid>
     const RayBatch& told_of(const Solid& solid, RayMask asked, bool first_only) const
     {
+        return told_of(solid, asked, first_only, [](const Ray&, Stretch&) { return true; });
+    }
+
+    /// narrow(ray, range): to what the solid is asked for. False: for nothing.
+    template <class Solid, class Narrow>
+    const RayBatch& told_of(const Solid& solid, RayMask asked, bool first_only, Narrow&& narrow) const
+    {
         RayBatch& batch = query.scratch().batch();
         each_ray(asked, [&](std::size_t k) {
-            if (!(rays.limit[k] < 0.0))
-                batch.add(rays.ray(static_cast<int>(k)), k, rays.t_min[k], rays.limit[k], first_only);
+            if (rays.limit[k] < 0.0) return;
+            const Ray ray = rays.ray(static_cast<int>(k));
+            Stretch part{rays.t_min[k], rays.limit[k]};
+            if (narrow(ray, part)) batch.add(ray, k, part.from, part.to, first_only);
         });
         solid.intersect_many(batch);
         return batch;

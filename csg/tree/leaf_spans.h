@@ -6,12 +6,19 @@
 
 namespace csg {
 
+/// A leaf of a program, and what is known already along the ray at hand.
+struct AskedLeaf {
+    const Node* nodes;
+    std::uint32_t leaf;
+    const FetchedSpans& fetched;
+};
+
 /// Calls f(t, face, t, face) for where the ray goes into a solid and out of it, nearest first; right between t_min and
 /// t_max. The list is memory for what solids tell. A mesh tells of what lies outside of it if `inverted`, all others
 /// are asked as they are.
 template <class T, class F>
 inline void each_span_of(const T& solid, const Ray& ray, bool inverted, double t_min, double t_max, double reach,
-                         const FetchedSpans& fetched, SpanList list, F&& f)
+                         const AskedLeaf& of, SpanList list, F&& f)
 {
     if constexpr (std::is_same_v<T, Triangle>) {
         return;  // bounds nothing
@@ -22,8 +29,10 @@ inline void each_span_of(const T& solid, const Ray& ray, bool inverted, double t
     } else if constexpr (requires { solid.intersect(ray, list); }) {
         if constexpr (std::is_same_v<T, Freeform>) {
             if (solid.surface()) return;
-            if (fetched.each_span(&solid, t_min, t_max, f)) return;
-            solid.spans(ray, t_min, t_max, list);
+            if (of.fetched.each_span(of.nodes + of.leaf, t_min, t_max, f)) return;
+            Stretch part{t_min, t_max};
+            narrow_to_deciding(of.nodes, of.leaf, ray, part);
+            solid.spans(ray, part.from, part.to, list);
         } else if constexpr (std::is_same_v<T, Mesh>) {
             solid.spans(ray, inverted, list);
         } else {

@@ -51,4 +51,28 @@ inline bool narrow_to_box(const Node& node, const Ray& ray, const glm::dvec3& in
     return part.from <= part.to + kCoincidence * std::abs(part.to);
 }
 
+/// Boxes hold what solids tell but for its last digits. reach: origin_reach().
+inline void widen(Stretch& in_box, double reach)
+{
+    constexpr double kRoom = 1e-6;
+    in_box.from -= kRoom * (std::abs(in_box.from) + reach);
+    in_box.to += kRoom * (std::abs(in_box.to) + reach);
+}
+
+/// Narrows a stretch to what a leaf is asked for: beyond the box of an operator above it that one holds nothing,
+/// whatever the leaf does. Of bounds nothing is left out, for a guard asks whether the ray meets them anywhere. False,
+/// and nothing is narrowed, where the ray misses a box.
+inline bool narrow_to_deciding(const Node* nodes, std::uint32_t leaf, const Ray& ray, Stretch& part)
+{
+    const glm::dvec3 inverse = 1.0 / ray.direction;
+    Stretch in_box = part;
+    for (std::uint32_t i = leaf; i != 0 && nodes[nodes[i].parent].op != Op::Guard;) {
+        i = nodes[i].parent;
+        if (nodes[i].bounded && !narrow_to_box(nodes[i], ray, inverse, in_box)) return false;
+    }
+    widen(in_box, origin_reach(ray));
+    part.narrow(in_box);
+    return true;
+}
+
 }  // namespace csg

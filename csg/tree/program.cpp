@@ -63,13 +63,13 @@ void gather(const Draft& draft, const SolidStore& store, std::vector<Plane>& pla
     }
 }
 
-/// Box of an intersection whose operands' boxes leave some axis open.
+/// Box of an intersection: what operands without an end leave of its operands' common box, which may be open.
 Aabb closed_box(const Draft& draft, const SolidStore& store)
 {
     std::vector<Plane> planes;
     std::vector<const Quadric*> quadrics;
     gather(draft, store, planes, quadrics);
-    Aabb box = polyhedron_box(planes, draft.box);
+    Aabb box = draft.box.finite() ? draft.box : polyhedron_box(planes, draft.box);
     for (const Quadric* quadric : quadrics) box = quadric_box(*quadric, planes, box);
     return box;
 }
@@ -93,7 +93,7 @@ void enclose(Draft& draft, const SolidStore& store)
     }
     draft.inside_beyond = both ? all_beyond : any_beyond;
     draft.box = both && !all_beyond ? common : hull;
-    if (both && !draft.box.empty() && !draft.box.finite()) draft.box = closed_box(draft, store);
+    if (both && !all_beyond && !draft.box.empty()) draft.box = closed_box(draft, store);
     if (draft.box.empty()) draft.box = Aabb{};
 }
 

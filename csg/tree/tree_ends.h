@@ -89,7 +89,7 @@ protected:
         if (node.op == Op::Leaf) return add_leaf(i, part);
         if (node.op == Op::Guard) return add_guarded(i, part);
         if (!node.bounded) return add_operator(i, part, part, top);
-        widen(in_box);
+        widen(in_box, reach_);
         in_box.narrow(part);
         return add_operator(i, part, in_box, top);
     }
@@ -99,14 +99,6 @@ protected:
     {
         count_[i] = held != takes_all(nodes_[i]) ? 1u : 0u;
         return held ? Reach{part, {}} : Reach{{}, part};
-    }
-
-    /// Boxes hold what solids tell but for its last digits.
-    void widen(Stretch& in_box) const
-    {
-        constexpr double kRoom = 1e-6;
-        in_box.from -= kRoom * (std::abs(in_box.from) + reach_);
-        in_box.to += kRoom * (std::abs(in_box.to) + reach_);
     }
 
     Reach add_guarded(std::uint32_t i, const Stretch& part)
@@ -199,7 +191,7 @@ protected:
         if (!node.bounded) return false;
         Stretch in_box{part.from, part.to};
         if (!narrow_to_box(node, ray_, inverse_, in_box)) return true;
-        widen(in_box);
+        widen(in_box, reach_);
         if (!(in_box.from > part.from)) return false;
         scratch_.waiting_.push_back(End::opening(in_box.from, k));
         return true;
@@ -212,7 +204,7 @@ protected:
         Stretch inside, outside = part;
         bool some = false, before = false;
         with_solid(store_, node.solid, [&](const auto& solid) {
-            each_span_of(solid, ray_, node.inverted, t_min_, t_max_, reach_, scratch_.fetched,
+            each_span_of(solid, ray_, node.inverted, t_min_, t_max_, reach_, {nodes_, i, scratch_.fetched},
                          {scratch_.spans_.data(), node.max_spans},
                          [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                              if (out < begin || in > stop) return;
