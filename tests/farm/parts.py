@@ -256,6 +256,11 @@ def unreadable(place):
         said = place.render("--shard=1/2", status=75)
         says(said, "Input/output error")
         says(said, "s.pov:1:")
+    for read in ("#read (F, A)", "#macro M() #read (F, A) #end M()", "#for (I, 1, 9) #read (F, A, B, C) #end"):
+        place.write(f'#declare A = 0; #declare B = 0; #declare C = 0;\n#fopen F "{broken}" read\n{read}\n' + PLAIN)
+        says(place.render("--shard=1/2", status=75), f"cannot read '{broken}': Input/output error")
+    said = subprocess.run([place.program, f"+I{broken}", "+W8", "+H6", "+Ox.png"], cwd=place.folder, capture_output=True, text=True)
+    tell(said.returncode == 75 and "Input/output error" in said.stderr, f"a scene that fails while it is read: {said.stderr}")
 
 
 def twice_at_once(place):

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <stdexcept>
+#include <system_error>
 
 namespace parser {
 namespace {
@@ -37,6 +39,8 @@ bool DataFile::more()
     const std::size_t before = text.size();
     text.resize(before + window);
     const std::size_t got = std::fread(text.data() + before, 1, window, in.get());
+    if (std::ferror(in.get()) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot read '" + path + "'");
     text.resize(before + got);
     if (got < window) in.reset();
     return got > 0;

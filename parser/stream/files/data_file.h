@@ -35,7 +35,8 @@ struct DataFile {
     };
     using Item = std::variant<double, Vector, std::string>;
 
-    /// The next item; nothing at the end of the file. Throws std::runtime_error where something else stands.
+    /// The next item; nothing at the end of the file. Throws std::runtime_error where something else
+    /// stands, std::system_error where the file cannot be read on.
     std::optional<Item> read_item();
     /// Takes the token behind an item, whatever it is: a comma, as it should be, or else it is lost. False at the end.
     bool skip_separator();

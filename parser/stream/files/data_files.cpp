@@ -1,5 +1,6 @@
 #include "parser/stream/files/data_file.h"
 #include "parser/stream/expression.h"
+#include "parser/stream/files/file_bytes.h"
 #include "parser/stream/files/file_policy.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 /// `#fopen` and its kin (spec 1, 10.2 to 10.4). A scene may write below the current folder and the folders of
 /// Options::write_folders only.
@@ -158,6 +160,8 @@ void TokenStream::read_data()
         std::optional<DataFile::Item> item;
         try {
             if (!ended) item = file->read_item();
+        } catch (const std::system_error& error) {
+            fail_to_read(*this, place(variable), file->path, error.code().value());
         } catch (const std::exception& error) {
             fail(place(variable), fmt::format("{}: {}", file->path, error.what()));
         }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 
 namespace parser {
@@ -16,11 +17,15 @@ std::string bytes_of_file(TokenStream& in, const scene::SourceRef& at, const std
     try {
         return files::whole_file(path);
     } catch (const std::system_error& error) {
-        const int number = error.code().value();
-        const auto tell = [&] { in.fail(at, fmt::format("cannot read '{}': {}", path, error.code().message())); };
-        if (number != ENOENT && !files::failure_may_pass(number)) tell();
-        scene::fail_for_now(tell);
+        fail_to_read(in, at, path, error.code().value());
     }
+}
+
+void fail_to_read(TokenStream& in, const scene::SourceRef& at, const std::string& path, int number)
+{
+    const auto tell = [&] { in.fail(at, fmt::format("cannot read '{}': {}", path, std::strerror(number))); };
+    if (number != ENOENT && !files::failure_may_pass(number)) tell();
+    scene::fail_for_now(tell);
 }
 
 }  // namespace parser

@@ -12,4 +12,7 @@ class TokenStream;
 /// try may go well: it was found, so it went, or is on a disk that is away.
 std::string bytes_of_file(TokenStream& in, const scene::SourceRef& at, const std::string& path);
 
+/// Fails at `at` for the system's number of a failure: for now, where another try may go well.
+[[noreturn]] void fail_to_read(TokenStream& in, const scene::SourceRef& at, const std::string& path, int number);
+
 }  // namespace parser

@@ -7,12 +7,15 @@
 #include "parser/stream/messages.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
+#include "render/files/whole_file.h"
+#include "render/scene/base/passing_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <system_error>
 
 namespace parser {
 namespace {
@@ -35,6 +38,18 @@ std::function<std::string()> reader_of(const std::string& path, std::size_t leng
         if (fs::last_write_time(path, gone) != written || gone || fs::file_size(path, gone) != size || gone) return {};
         return KeptFiles().read(path.string()).value_or(std::string());
     };
+}
+
+/// A main scene that was found: no place of it is known yet.
+std::string whole_scene(const std::string& path)
+{
+    try {
+        return files::whole_file(path);
+    } catch (const std::system_error& failed) {
+        const Error told({path, {}}, "cannot read this file: " + failed.code().message());
+        if (!files::failure_may_pass(failed.code().value())) throw told;
+        throw scene::PassingError(told);
+    }
 }
 
 bool is_file(const fs::path& path)
@@ -86,10 +101,10 @@ void TokenStream::open_main(std::uint16_t index, const std::string& path)
 
 void TokenStream::open_file(const std::string& path)
 {
-    auto text = kept_files_.read(path);
     std::error_code error;
-    if (!text && !fs::exists(path, error))
+    if (!kept_files_.has(path) && !fs::exists(path, error))
         throw Error({path, {}}, "there is no such file" + nearest_file(path, {""}, ".pov"));
+    auto text = kept_files_.has(path) || !is_file(path) ? kept_files_.read(path) : whole_scene(path);
     if (!text) throw Error({path, {}}, "cannot read this file");
     open_main(load(path, std::move(*text), true), path);
 }
