@@ -122,7 +122,7 @@ void Remesher::move_all(bool smooth)
     each(mesh_.vertices(), [&](Index v) {
         if (!mesh_.has_vertex(v)) return;
         const glm::dvec3 to = smooth ? wanted_place(v) : mesh_.places[v];
-        // Who is where he belongs costs no ray.
+        // A vertex that is where it belongs costs no ray.
         if (normals_[v] != glm::dvec3(0.0) && glm::length(to - mesh_.places[v]) < kStill * shortest_edge(v)) return;
         moves[v] = moved(v, to);
     });

@@ -13,7 +13,8 @@ namespace {
 /// Tetrahedra may be so much farther off than what is made of them; where that comes out folded, others are tried.
 constexpr std::array<double, 2> kCoarser{3.0, 2.0};
 constexpr double kOffShare = 0.5;                          // of the tolerance: the aim, as not all places are looked at
-constexpr double kFolded = 0.5;                            // cosine of 60 degrees
+constexpr double kFolded = 0.5;                            // cosine of 60 degrees: a mesh with such a triangle is none
+constexpr double kTurnedAway = 0.906;                      // of 25: edges are looked for again
 constexpr double kLeastLength = 1e-3;                      // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
 constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3;
@@ -85,7 +86,8 @@ bool Remesher::run()
         unfold();
     };
     for (int i = 0; i < kRounds && !overrun_; ++i) {
-        if (i == 2 || (i == 4 && any_folded())) {  // triangles are better now, and tell edges and curvature better
+        if (i == 2 ||
+            (i == 4 && any_folded(kTurnedAway))) {  // triangles are better now, and tell edges and curvature better
             look_at_surface();
             find_lengths();
             settle(false);
@@ -93,7 +95,7 @@ bool Remesher::run()
         round();
     }
     for (int i = 0; i < kCorrections && !overrun_ && look_for_misfits() > 0; ++i) {
-        if (any_folded()) {
+        if (any_folded(kTurnedAway)) {
             look_at_surface();
             settle(false);
         }
@@ -103,19 +105,11 @@ bool Remesher::run()
     return !overrun_;
 }
 
-bool Remesher::folded() const
-{
-    bool found = false;
-    for (Index f = 0; f < mesh_.triangles() && !found; ++f)
-        found = mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < kFolded;
-    return found;
-}
-
 bool remesh(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh)
 {
     Remesher remesher(body, extent, options);
     if (!check(mesh).good() || !remesher.take(mesh)) return false;
-    if (!remesher.run() || remesher.folded()) return false;
+    if (!remesher.run() || remesher.any_folded(kFolded)) return false;
     TriangleMesh made = remesher.result();
     if (!check(made).good() || crossings(made) > 0) return false;
     mesh = std::move(made);

@@ -22,8 +22,8 @@ public:
     void look_at_surface();
     /// False where it needs many more triangles than there were: something about the surface is not understood.
     bool run();
-    /// Whether a triangle looks far away from the surface.
-    bool folded() const;
+    /// Whether a triangle looks away from the surface: the cosine between it and the surface's normal is less.
+    bool any_folded(double cosine) const;
     TriangleMesh result() const;
 
 private:
@@ -37,7 +37,7 @@ private:
     void tidy_sharp();
     bool straighten(Index f);
     bool unpinch(Index v);
-    bool follow_edge(Index v);
+    void follow_edge(Index v);
     void take_side(Index f, const glm::dvec3& normal);
     int sharp_edges(Index v) const;
     void find_kinds();
@@ -54,7 +54,6 @@ private:
     std::size_t collapse_short();
     std::size_t flip_better();
     std::size_t unfold();
-    bool any_folded() const;
     bool may_collapse(Index h, bool unfolding) const;
     bool may_flip(Index h) const;
 

@@ -14,8 +14,9 @@ constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
 constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
 constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
 constexpr double kMuchShorter = 0.3;    // than the wanted length
-constexpr double kOnePlace = 0.1, kBearable = 0.2;
-constexpr double kBetterCost = 1e-9;
+constexpr double kOnePlace = 0.1;       // of the least length: vertices so near are in one place
+constexpr double kBearable = 0.2;       // of cosines in all: what triangles may turn away where two such become one
+constexpr double kBetterCost = 1e-9;    // of cosines in all: less is rounding
 constexpr int kMostSweeps = 8;
 
 }  // namespace
@@ -135,10 +136,10 @@ std::size_t Remesher::unfold()
     return done;
 }
 
-bool Remesher::any_folded() const
+bool Remesher::any_folded(double cosine) const
 {
     for (Index f = 0; f < mesh_.triangles(); ++f)
-        if (mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < kFacing) return true;
+        if (mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < cosine) return true;
     return false;
 }
 

@@ -160,7 +160,7 @@ bool Remesher::unpinch(Index v)
 }
 
 /// A line of sharp edges that ends goes on where the surface is bent most, or its last edge is none.
-bool Remesher::follow_edge(Index v)
+void Remesher::follow_edge(Index v)
 {
     double most = kSharpTurn;
     Index best = HalfEdges::kNone, last = HalfEdges::kNone;
@@ -173,7 +173,6 @@ bool Remesher::follow_edge(Index v)
         }
     });
     mesh_.set_sharp(best != HalfEdges::kNone ? best : last, best != HalfEdges::kNone);
-    return true;
 }
 
 void Remesher::tidy_sharp()
@@ -183,8 +182,11 @@ void Remesher::tidy_sharp()
         std::size_t changed = 0;
         for (Index f = 0; f < mesh_.triangles(); ++f) changed += mesh_.has_triangle(f) && straighten(f) ? 1 : 0;
         for (Index v = 0; v < mesh_.vertices(); ++v) changed += mesh_.has_vertex(v) && unpinch(v) ? 1 : 0;
-        for (Index v = 0; v < mesh_.vertices(); ++v)
-            changed += mesh_.has_vertex(v) && sharp_edges(v) == 1 && follow_edge(v) ? 1 : 0;
+        for (Index v = 0; v < mesh_.vertices(); ++v) {
+            if (!mesh_.has_vertex(v) || sharp_edges(v) != 1) continue;
+            follow_edge(v);
+            ++changed;
+        }
         if (changed == 0) break;
     }
     find_kinds();

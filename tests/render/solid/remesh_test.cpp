@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -41,6 +42,40 @@ double thin_share(const solid::TriangleMesh& mesh)
     for (const auto& t : mesh.triangles)
         thin += least_angle(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]) < 10.0 ? 1 : 0;
     return static_cast<double>(thin) / static_cast<double>(mesh.triangles.size());
+}
+
+/// Six times the volume of a tetrahedron, with its sign.
+double volume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
+{
+    return glm::dot(glm::cross(b - a, c - a), d - a);
+}
+
+using Corners = std::array<glm::dvec3, 3>;
+
+/// Whether a side of one runs through the other: its ends lie on either side, and the tetrahedra of it with the other's
+/// three sides turn alike.
+bool runs_through(const Corners& one, const Corners& other)
+{
+    const auto& [a, b, c] = other;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 &p = one[k], &q = one[(k + 1) % 3];
+        const double x = volume(p, q, a, b), y = volume(p, q, b, c), z = volume(p, q, c, a);
+        if (volume(a, b, c, p) * volume(a, b, c, q) < 0.0 && x * y > 0.0 && y * z > 0.0) return true;
+    }
+    return false;
+}
+
+std::size_t crossings_by_volumes(const solid::TriangleMesh& mesh)
+{
+    const auto corners = [&](std::size_t i) {
+        const auto& t = mesh.triangles[i];
+        return Corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    };
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            found += runs_through(corners(i), corners(k)) || runs_through(corners(k), corners(i)) ? 1 : 0;
+    return found;
 }
 
 /// The corners of a tetrahedron, an octahedron's and more: a closed mesh to change.
@@ -127,4 +162,21 @@ TEST_CASE("crossings are counted", "[solid]")
     for (glm::vec3& v : other.vertices) mesh.vertices.push_back(v + glm::vec3(0.5f, 0.1f, 0.2f));
     for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
     CHECK(solid::crossings(mesh) > 3);
+}
+
+TEST_CASE("crossings are those that every triangle finds with every other", "[solid]")
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-1.0f, 1.0f), side(-0.25f, 0.25f);
+    for (const std::uint32_t count : {1u, 5u, 60u, 400u}) {
+        solid::TriangleMesh mesh;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const glm::vec3 middle{place(random), place(random), place(random)};
+            for (int k = 0; k < 3; ++k)
+                mesh.vertices.push_back(middle + glm::vec3{side(random), side(random), side(random)});
+            mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        CHECK(solid::crossings(mesh) == crossings_by_volumes(mesh));
+        CHECK((count < 400 || solid::crossings(mesh) > 20));
+    }
 }
