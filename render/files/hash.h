@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace app {
+namespace files {
 
 /// FNV-1a with 64 bits over words of 8 bytes, the last one filled up with zeros: for identities and checks.
 /// \param so_far  the hash of what comes before
@@ -21,4 +21,4 @@ inline std::uint64_t hash_of(const void* bytes, std::size_t count, std::uint64_t
     return so_far;
 }
 
-}  // namespace app
+}  // namespace files

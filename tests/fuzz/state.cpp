@@ -1,7 +1,7 @@
 // The finished blocks that an interrupted render keeps. The first byte is odd where the magic, the sizes and the
 // checksums are put right first: else few inputs would come past them.
 #include "render/app/output/state_file.h"
-#include "render/app/parts/hash.h"
+#include "render/files/hash.h"
 #include "tests/fuzz/scratch_file.h"
 
 #include <algorithm>
@@ -70,7 +70,8 @@ void put_right(fuzz::Bytes& bytes)
         const std::size_t size = 16 * static_cast<std::size_t>(all[number].width) *
                                  static_cast<std::size_t>(all[number].height);
         if (at + kRecordSize + size > bytes.size()) return;
-        const std::uint64_t check = app::hash_of(&bytes[at + kRecordSize], size, app::hash_of(&number, sizeof number));
+        const std::uint64_t check =
+            files::hash_of(&bytes[at + kRecordSize], size, files::hash_of(&number, sizeof number));
         std::memcpy(&bytes[at + 8], &check, sizeof check);
         at += kRecordSize + size;
     }

@@ -1,5 +1,7 @@
 #include "render/app/link/mailbox.h"
 
+#include "render/files/hash.h"
+
 #include <dirent.h>
 #include <poll.h>
 #include <sys/eventfd.h>
@@ -117,11 +119,6 @@ std::size_t Mailbox::tell(const std::string& kind, const std::string& text) cons
     return reached;
 }
 
-std::uint64_t mark_of(std::string_view text)
-{
-    std::uint64_t mark = 0xcbf29ce484222325u;
-    for (const char c : text) mark = (mark ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return mark;
-}
+std::uint64_t mark_of(std::string_view text) { return files::hash_of(text.data(), text.size()); }
 
 }  // namespace app

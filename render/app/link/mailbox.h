@@ -41,7 +41,7 @@ private:
     std::thread thread_;
 };
 
-/// A number that tells texts apart (FNV-1a): whether two programs speak of the same one.
+/// A number that tells texts apart: whether two programs speak of the same one.
 std::uint64_t mark_of(std::string_view text);
 
 }  // namespace app

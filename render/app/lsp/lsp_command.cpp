@@ -93,32 +93,32 @@ int lsp_command(const std::vector<std::string>& arguments)
     std::vector<std::string> library = request.settings.library_path;
     for (std::string& folder : default_library_path()) library.push_back(std::move(folder));
 
-    lsp::Output output(STDOUT_FILENO);
+    rpc::Output output(STDOUT_FILENO);
     lsp::Server server(request.settings, request.limits, std::move(library), output);
-    lsp::Input input(STDIN_FILENO,
+    rpc::Input input(STDIN_FILENO,
                      [&] { return !output.gone() && (server.client() == 0 || ::kill(server.client(), 0) == 0); });
     std::string body;
     while (!output.gone()) {
-        const lsp::Input::What what = input.next(body);
-        if (what == lsp::Input::What::End) break;
-        if (what == lsp::Input::What::TooLong) {
-            server.complain(lsp::ErrorCode::InvalidRequest, "the message is too long");
+        const rpc::Input::What what = input.next(body);
+        if (what == rpc::Input::What::End) break;
+        if (what == rpc::Input::What::TooLong) {
+            server.complain(rpc::ErrorCode::InvalidRequest, "the message is too long");
             continue;
         }
-        if (what == lsp::Input::What::Garbage) {
-            server.complain(lsp::ErrorCode::ParseError, "a header with a Content-Length has to come first");
+        if (what == rpc::Input::What::Garbage) {
+            server.complain(rpc::ErrorCode::ParseError, "a header with a Content-Length has to come first");
             continue;
         }
         try {
             if (!server.take(body)) break;
-        } catch (const lsp::Refusal& refusal) {
+        } catch (const rpc::Refusal& refusal) {
             server.complain(refusal.code, refusal.what());
             // A length that was too great swallowed the next message.
-            const std::size_t next = lsp::header_in(body);
-            if (refusal.code == lsp::ErrorCode::ParseError && next != std::string::npos)
+            const std::size_t next = rpc::header_in(body);
+            if (refusal.code == rpc::ErrorCode::ParseError && next != std::string::npos)
                 input.put_back(std::string_view(body).substr(next));
         } catch (const std::exception& error) {
-            server.complain(lsp::ErrorCode::InternalError, error.what());
+            server.complain(rpc::ErrorCode::InternalError, error.what());
         }
     }
     const bool well = server.ended_well();

@@ -5,6 +5,8 @@
 
 namespace app::lsp {
 
+using namespace rpc;  // the protocol is made of it
+
 /// What a position's `character` counts.
 enum class Encoding { Utf8, Utf16 };
 

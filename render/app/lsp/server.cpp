@@ -64,7 +64,7 @@ void Server::complain(ErrorCode code, const std::string& text) { send(error_repl
 
 bool Server::take(std::string_view text)
 {
-    const RpcCall call = call_in(text);
+    const Call call = call_in(text);
     if (call.method.empty() && !call.wants_answer) return true;  // an answer: nothing was asked
     const std::lock_guard lock(mutex_);
     if (call.wants_answer) answer(call.id, call.method, call.parameters);

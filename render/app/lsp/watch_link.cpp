@@ -5,18 +5,6 @@ namespace {
 
 bool says_yes(const json* member) { return member != nullptr && member->is_boolean() && member->get<bool>(); }
 
-std::string text_in(const json& from, const char* name)
-{
-    const auto at = from.find(name);
-    return at != from.end() && at->is_string() ? at->get<std::string>() : std::string();
-}
-
-std::uint64_t number_in(const json& from, const char* name)
-{
-    const auto at = from.find(name);
-    return at != from.end() && at->is_number_unsigned() ? at->get<std::uint64_t>() : 0;
-}
-
 }  // namespace
 
 WatchLink::WatchLink(World& world, std::mutex& mutex, std::function<void(const json&)> send)
@@ -65,12 +53,12 @@ bool WatchLink::concerns(const std::string& path) const
 
 bool WatchLink::show(const json& wanted)
 {
-    const std::string path = text_in(wanted, "file");
+    const std::string path = string_member(wanted, "file");
     if (!shows_ || path.empty() || !concerns(path)) return false;
     const language::KnownPtr known = world_.files.find(path);
     if (!known) return false;
     const Positions positions(known->document.text(), world_.encoding);
-    const std::uint64_t line = number_in(wanted, "line"), column = number_in(wanted, "column");
+    const std::uint64_t line = count_member(wanted, "line"), column = count_member(wanted, "column");
     if (line == 0 || line > positions.lines()) return false;
     const language::Range whole = positions.line(static_cast<std::size_t>(line - 1));
     const auto at =
@@ -87,18 +75,18 @@ bool WatchLink::show(const json& wanted)
 /// Of a text that the editor has open, and that is the one which the page knows.
 bool WatchLink::edit(const json& wanted)
 {
-    const std::string path = text_in(wanted, "file");
+    const std::string path = string_member(wanted, "file");
     const json* const changes = find_member(wanted, {"changes"});
     if (!edits_ || !world_.files.is_open(path) || changes == nullptr || !changes->is_array()) return false;
     const std::string& old = world_.files.text(path);
-    if (mark_of(old) != number_in(wanted, "mark")) return false;
+    if (mark_of(old) != wanted.at("mark").get<std::uint64_t>()) return false;
     const Positions positions(old, world_.encoding);
     json edits = json::array();
     for (const json& change : *changes) {
-        const std::uint64_t offset = number_in(change, "offset"), length = number_in(change, "length");
+        const std::uint64_t offset = count_member(change, "offset"), length = count_member(change, "length");
         if (offset > old.size() || length > old.size() - offset) return false;
         const language::Range range{static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(offset + length)};
-        edits.push_back({{"range", positions.range(range)}, {"newText", text_in(change, "text")}});
+        edits.push_back({{"range", positions.range(range)}, {"newText", string_member(change, "text")}});
     }
     ask("workspace/applyEdit",
         {{"label", "numbers of whittle watch"}, {"edit", {{"changes", {{world_.uri_of(path), std::move(edits)}}}}}});

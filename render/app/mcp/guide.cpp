@@ -133,8 +133,8 @@ const char* instructions()
 
 json explain_keyword_tool(Workshop&, const json& arguments)
 {
-    const std::string& word = lsp::string_member(arguments, "word");
-    const std::string block = arguments.contains("block") ? lsp::string_member(arguments, "block") : std::string();
+    const std::string& word = rpc::string_member(arguments, "word");
+    const std::string block = arguments.contains("block") ? rpc::string_member(arguments, "block") : std::string();
     if (word.empty() && block.empty()) throw Refusal(ErrorCode::InvalidParams, "'word' is empty");
     std::string text;
     if (!word.empty()) {

@@ -57,8 +57,8 @@ int mcp_command(const std::vector<std::string>& arguments)
     mcp::Walls walls = walls_of(arguments);
     std::filesystem::current_path(walls.folder);
     std::signal(SIGPIPE, SIG_IGN);
-    lsp::Output output(STDOUT_FILENO, lsp::Framing::Line);
-    lsp::Input input(STDIN_FILENO, [&] { return !output.gone(); });
+    rpc::Output output(STDOUT_FILENO, rpc::Framing::Line);
+    rpc::Input input(STDIN_FILENO, [&] { return !output.gone(); });
     mcp::Server(std::move(walls), input, STDIN_FILENO, output).serve();
     return kSuccess;
 }

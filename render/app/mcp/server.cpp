@@ -52,7 +52,7 @@ void check_names(const Tool& tool, const json& arguments)
 
 }  // namespace
 
-Server::Server(Walls walls, lsp::Input& input, int input_file, lsp::Output& output)
+Server::Server(Walls walls, rpc::Input& input, int input_file, rpc::Output& output)
     : input_(input), input_file_(input_file), output_(output),
       shop_(
           std::move(walls), [this] { return ended_ || waiting_.size() >= kMostWaiting ? -1 : input_file_; },
@@ -67,9 +67,9 @@ void Server::serve()
             line = std::move(waiting_.front());
             waiting_.pop_front();
         } else {
-            const lsp::Input::What what = input_.next_line(line);
-            if (what == lsp::Input::What::End) return;
-            if (what == lsp::Input::What::TooLong) {
+            const rpc::Input::What what = input_.next_line(line);
+            if (what == rpc::Input::What::End) return;
+            if (what == rpc::Input::What::TooLong) {
                 refuse(ErrorCode::InvalidRequest, "the message is too long");
                 continue;
             }
@@ -82,16 +82,16 @@ void Server::take(const std::string& line)
 {
     json reply;
     try {
-        const lsp::RpcCall call = lsp::call_in(line);
+        const rpc::Call call = rpc::call_in(line);
         if (!call.wants_answer) return;  // an answer, or a notification: initialized, cancelled of what is done
         running_ = call.id;
         cancelled_ = false;
         try {
-            reply = lsp::result_reply(call.id, result_of(call));
+            reply = rpc::result_reply(call.id, result_of(call));
         } catch (const Refusal& refusal) {
-            reply = lsp::error_reply(call.id, refusal.code, refusal.what());
+            reply = rpc::error_reply(call.id, refusal.code, refusal.what());
         } catch (const std::exception& error) {
-            reply = lsp::error_reply(call.id, ErrorCode::InternalError, error.what());
+            reply = rpc::error_reply(call.id, ErrorCode::InternalError, error.what());
         }
     } catch (const Refusal& refusal) {
         return refuse(refusal.code, refusal.what());
@@ -100,7 +100,7 @@ void Server::take(const std::string& line)
     if (!cancelled_) send(reply);  // of what is cancelled nobody waits for an answer
 }
 
-json Server::result_of(const lsp::RpcCall& call)
+json Server::result_of(const rpc::Call& call)
 {
     const std::string& method = call.method;
     if (method == "ping") return json::object();
@@ -117,7 +117,7 @@ json Server::result_of(const lsp::RpcCall& call)
     }
     if (method == "resources/templates/list") return {{"resourceTemplates", json::array()}};
     if (method == "resources/read") {
-        const std::string& uri = lsp::string_member(call.parameters, "uri");
+        const std::string& uri = rpc::string_member(call.parameters, "uri");
         json contents = resource_contents(uri);
         if (contents.is_null()) throw Refusal(kNoSuchResource, fmt::format("there is no resource '{}'", uri));
         return contents;
@@ -128,7 +128,7 @@ json Server::result_of(const lsp::RpcCall& call)
 json Server::initialize(const json& parameters)
 {
     if (initialized_) throw Refusal(ErrorCode::InvalidRequest, "the server is initialized already");
-    const std::string& asked = lsp::string_member(parameters, "protocolVersion");
+    const std::string& asked = rpc::string_member(parameters, "protocolVersion");
     const bool known = std::find(kRevisions.begin(), kRevisions.end(), asked) != kRevisions.end();
     initialized_ = true;
     return {{"protocolVersion", known ? asked : std::string(kRevisions.front())},
@@ -139,7 +139,7 @@ json Server::initialize(const json& parameters)
 
 json Server::call_tool(const json& parameters)
 {
-    const std::string& name = lsp::string_member(parameters, "name");
+    const std::string& name = rpc::string_member(parameters, "name");
     const auto given = parameters.find("arguments");
     const json none = json::object();
     if (given != parameters.end() && !given->is_object())
@@ -165,7 +165,7 @@ bool Server::still_wanted()
         if (!input_.fill()) ended_ = true;
         std::string line;
         while (const auto what = input_.waiting_line(line)) {
-            if (what == lsp::Input::What::TooLong) refuse(ErrorCode::InvalidRequest, "the message is too long");
+            if (what == rpc::Input::What::TooLong) refuse(ErrorCode::InvalidRequest, "the message is too long");
             else if (!listen_while_busy(line)) waiting_.push_back(line);
         }
     }
@@ -176,19 +176,19 @@ bool Server::still_wanted()
 bool Server::listen_while_busy(const std::string& line)
 {
     try {
-        const lsp::RpcCall call = lsp::call_in(line);
+        const rpc::Call call = rpc::call_in(line);
         if (call.method == "ping" && call.wants_answer) {
-            send(lsp::result_reply(call.id, json::object()));
+            send(rpc::result_reply(call.id, json::object()));
             return true;
         }
         if (call.method != "notifications/cancelled") return false;
-        const json* const id = lsp::find_member(call.parameters, {"requestId"});
+        const json* const id = rpc::find_member(call.parameters, {"requestId"});
         if (id == nullptr) return true;
         if (*id == running_) cancelled_ = true;
         // One that has not begun is not begun.
         std::erase_if(waiting_, [&](const std::string& other) {
             try {
-                const lsp::RpcCall waiting = lsp::call_in(other);
+                const rpc::Call waiting = rpc::call_in(other);
                 return waiting.wants_answer && waiting.id == *id;
             } catch (const Refusal&) {
                 return false;

@@ -12,24 +12,24 @@ namespace app::mcp {
 /// the server lives.
 class Server {
 public:
-    Server(Walls walls, lsp::Input& input, int input_file, lsp::Output& output);
+    Server(Walls walls, rpc::Input& input, int input_file, rpc::Output& output);
 
     /// Until the client is gone.
     void serve();
 
 private:
     void take(const std::string& line);
-    void refuse(ErrorCode code, const std::string& text) { send(lsp::error_reply(nullptr, code, text)); }
-    json result_of(const lsp::RpcCall& call);
+    void refuse(ErrorCode code, const std::string& text) { send(rpc::error_reply(nullptr, code, text)); }
+    json result_of(const rpc::Call& call);
     json initialize(const json& parameters);
     json call_tool(const json& parameters);
     bool still_wanted();
     bool listen_while_busy(const std::string& line);
-    void send(const json& message) { output_.send(lsp::text_of(message)); }
+    void send(const json& message) { output_.send(rpc::text_of(message)); }
 
-    lsp::Input& input_;
+    rpc::Input& input_;
     const int input_file_;
-    lsp::Output& output_;
+    rpc::Output& output_;
     Workshop shop_;
     bool initialized_ = false;
     bool ended_ = false;               ///< nothing more comes from the client

@@ -84,7 +84,7 @@ void add_object(Words& words, const json& arguments)
 {
     const auto given = arguments.find("object");
     if (given == arguments.end()) return;
-    const std::string& name = lsp::string_member(arguments, "object");
+    const std::string& name = rpc::string_member(arguments, "object");
     if (name.empty() || name.size() > 100 ||
         !std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }))
         throw Refusal(ErrorCode::InvalidParams, "'object' has to be a declared name");
@@ -149,7 +149,7 @@ int check_scene(const Words& words, const ChildLimits& limits)
         if (told.message.severity != scene::Severity::Debug && messages.size() < kMost)
             messages.push_back(message_json(told));
     json out{{"readable", made.whole}, {"messages", std::move(messages)}};
-    fmt::print("{}", lsp::text_of(out));
+    fmt::print("{}", rpc::text_of(out));
     std::fflush(stdout);
     _exit(kSuccess);  // its threads have nothing more to do
 }
@@ -240,7 +240,7 @@ json info_tool(Workshop& shop, const json& arguments)
 
 json section_tool(Workshop& shop, const json& arguments)
 {
-    const std::string& axis = lsp::string_member(arguments, "axis");
+    const std::string& axis = rpc::string_member(arguments, "axis");
     if (axis != "x" && axis != "y" && axis != "z")
         throw Refusal(ErrorCode::InvalidParams, "'axis' has to be x, y or z");
     Words words = words_for(shop, arguments);
@@ -260,7 +260,7 @@ json section_tool(Workshop& shop, const json& arguments)
 
 json mesh_tool(Workshop& shop, const json& arguments)
 {
-    const std::string format = arguments.contains("format") ? lsp::string_member(arguments, "format") : "stl";
+    const std::string format = arguments.contains("format") ? rpc::string_member(arguments, "format") : "stl";
     struct Form {
         const char *name, *type;
     };

@@ -12,9 +12,9 @@
 
 namespace app::mcp {
 
-using lsp::ErrorCode;
-using lsp::json;
-using lsp::Refusal;
+using rpc::ErrorCode;
+using rpc::json;
+using rpc::Refusal;
 
 /// What the server was started with.
 struct Walls {

@@ -136,7 +136,7 @@ std::string Workshop::options_file(const json& arguments)
 
 std::string Workshop::picture_file(const json& arguments, const char* name)
 {
-    const std::string& given = lsp::string_member(arguments, name);
+    const std::string& given = rpc::string_member(arguments, name);
     std::error_code error;
     const bool own = given.starts_with("render-") && given.find('/') == std::string::npos;
     if (own && fs::is_regular_file(scratch_ / given, error)) return scratch_ / given;

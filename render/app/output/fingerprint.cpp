@@ -1,6 +1,6 @@
 #include "render/app/output/fingerprint.h"
 
-#include "render/app/parts/hash.h"
+#include "render/files/hash.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 std::uint64_t add_text(const std::string& text, std::uint64_t so_far)
 {
     const std::uint64_t size = text.size();  // else zeros at the end would not count
-    return hash_of(text.data(), text.size(), hash_of(&size, sizeof size, so_far));
+    return files::hash_of(text.data(), text.size(), files::hash_of(&size, sizeof size, so_far));
 }
 
 std::uint64_t add_file(const std::string& path, std::uint64_t so_far)
@@ -24,10 +24,10 @@ std::uint64_t add_file(const std::string& path, std::uint64_t so_far)
     std::uint64_t size = 0;
     while (in.read(some.data(), some.size()) || in.gcount() > 0) {
         const auto count = static_cast<std::size_t>(in.gcount());
-        so_far = hash_of(some.data(), count, so_far);
+        so_far = files::hash_of(some.data(), count, so_far);
         size += count;
     }
-    return hash_of(&size, sizeof size, so_far);
+    return files::hash_of(&size, sizeof size, so_far);
 }
 
 std::string curve_text(const image::TransferCurve& curve)
@@ -69,7 +69,7 @@ std::string options_text(const PictureSource& source)
 
 std::uint64_t fingerprint_of(const PictureSource& source)
 {
-    std::uint64_t hash = add_text(options_text(source), hash_of(nullptr, 0));
+    std::uint64_t hash = add_text(options_text(source), files::hash_of(nullptr, 0));
     if (source.typed) hash = add_text(*source.typed, hash);
     for (const std::vector<std::string>* files : {&source.parsed.scene.files, &source.parsed.data_files})
         for (const std::string& file : *files) hash = add_file(file, hash);

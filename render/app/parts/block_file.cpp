@@ -1,6 +1,6 @@
 #include "render/app/parts/block_file.h"
 
-#include "render/app/parts/hash.h"
+#include "render/files/hash.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -38,8 +38,8 @@ constexpr int kLayerRows = 8;  // that are made together
 std::uint64_t check_of(Heading heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
 {
     heading.check = 0;
-    return hash_of(wanted.data(), wanted.size() * sizeof(std::uint32_t),
-                   hash_of(text.data(), text.size(), hash_of(&heading, sizeof heading)));
+    return files::hash_of(wanted.data(), wanted.size() * sizeof(std::uint32_t),
+                          files::hash_of(text.data(), text.size(), files::hash_of(&heading, sizeof heading)));
 }
 
 std::string bytes_of(const Heading& heading, const std::string& text, const std::vector<std::uint32_t>& wanted)
@@ -51,7 +51,7 @@ std::string bytes_of(const Heading& heading, const std::string& text, const std:
 
 std::uint64_t check_of(std::uint64_t number, const std::vector<float>& samples)
 {
-    return hash_of(samples.data(), samples.size() * sizeof(float), hash_of(&number, sizeof number));
+    return files::hash_of(samples.data(), samples.size() * sizeof(float), files::hash_of(&number, sizeof number));
 }
 
 void put_curve(const image::TransferCurve& curve, std::int32_t& kind, float& gamma)

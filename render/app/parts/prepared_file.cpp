@@ -1,6 +1,6 @@
 #include "render/app/parts/prepared_file.h"
 
-#include "render/app/parts/hash.h"
+#include "render/files/hash.h"
 #include "render/files/whole_file.h"
 #include "render/image/picture_writer.h"
 #include "render/image/pixels/passing_failure.h"
@@ -18,7 +18,7 @@ constexpr const char* kPreparedMagic = "whittle prepared 1\n";
 
 std::string check_of(const std::string& bytes)
 {
-    const std::uint64_t hash = hash_of(bytes.data(), bytes.size());
+    const std::uint64_t hash = files::hash_of(bytes.data(), bytes.size());
     return {reinterpret_cast<const char*>(&hash), sizeof hash};
 }
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace app::lsp {
+namespace app::rpc {
 namespace {
 
 constexpr std::string_view kLength = "content-length:";
@@ -162,4 +162,4 @@ void Output::send(std::string_view body)
     }
 }
 
-}  // namespace app::lsp
+}  // namespace app::rpc

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace app::lsp {
+namespace app::rpc {
 
 /// Messages of a client: a header with Content-Length, an empty line, so many bytes. What is none of that is passed
 /// over up to the next header.
@@ -59,4 +59,4 @@ private:
     std::atomic<bool> gone_ = false;
 };
 
-}  // namespace app::lsp
+}  // namespace app::rpc

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace app::lsp {
+namespace app::rpc {
 namespace {
 
 constexpr int kDeepest = 64;
@@ -83,4 +83,4 @@ std::uint32_t count_member(const json& object, const char* name)
     return value >= 0 ? static_cast<std::uint32_t>(std::min(value, kMost)) : 0;
 }
 
-}  // namespace app::lsp
+}  // namespace app::rpc

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace app::lsp {
+namespace app::rpc {
 
 using nlohmann::json;
 
@@ -44,4 +44,4 @@ std::uint32_t count_member(const json& object, const char* name);
 /// Null where any of the members on the way is none.
 const json* find_member(const json& object, std::initializer_list<const char*> way);
 
-}  // namespace app::lsp
+}  // namespace app::rpc

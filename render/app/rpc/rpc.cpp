@@ -2,13 +2,13 @@
 
 #include <utility>
 
-namespace app::lsp {
+namespace app::rpc {
 
-RpcCall call_in(std::string_view text)
+Call call_in(std::string_view text)
 {
     json message = guarded_json(text);
     if (!message.is_object()) throw Refusal(ErrorCode::InvalidRequest, "a message has to be an object");
-    RpcCall call{nullptr, false, {}, json::object()};
+    Call call{nullptr, false, {}, json::object()};
     const auto method = message.find("method");
     if (method == message.end() || !method->is_string()) {
         if (message.contains("result") || message.contains("error")) return call;
@@ -38,4 +38,4 @@ json error_reply(const json& id, ErrorCode code, const std::string& text)
     return {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", text}}}};
 }
 
-}  // namespace app::lsp
+}  // namespace app::rpc

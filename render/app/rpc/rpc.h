@@ -6,10 +6,10 @@
 #include <string_view>
 
 /// JSON-RPC 2.0: what protocols of editors and of agents have in common.
-namespace app::lsp {
+namespace app::rpc {
 
 /// A request or a notification.
-struct RpcCall {
+struct Call {
     json id;            ///< of a request: a number or a text
     bool wants_answer;  ///< a notification does not
     std::string method;
@@ -17,9 +17,9 @@ struct RpcCall {
 };
 
 /// What a message asks for; without a method: an answer, which nobody waits for. Throws Refusal.
-RpcCall call_in(std::string_view message);
+Call call_in(std::string_view message);
 
 json result_reply(const json& id, json result);
 json error_reply(const json& id, ErrorCode code, const std::string& text);
 
-}  // namespace app::lsp
+}  // namespace app::rpc

@@ -6,6 +6,15 @@
 
 namespace app {
 
+image::Encoding page_encoding(const Settings& settings, const scene::Description& description)
+{
+    image::Encoding encoding = file_settings(settings, description).encoding;
+    encoding.bits = 8;
+    encoding.greyscale = false;
+    encoding.dither = image::Dither::None;
+    return encoding;
+}
+
 std::string block_event(int generation, int pass, const trace::Block& block, const image::Image& picture,
                         const image::Encoding& encoding)
 {

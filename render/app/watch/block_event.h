@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/app/run/stage_options.h"
 #include "render/image/pixels/image.h"
 #include "render/image/levels/quantise.h"
 #include "render/picture/blocks.h"
@@ -7,6 +8,9 @@
 #include <string>
 
 namespace app {
+
+/// As the picture's file would have its samples, but 8 bits, in colour and undithered: what a page shows.
+image::Encoding page_encoding(const Settings& settings, const scene::Description& description);
 
 /// A block of one pass as JSON: its samples, as the picture's file would have them, in base64.
 /// \param pass  its number

@@ -1,6 +1,7 @@
 #include "render/app/watch/comparison.h"
 
 #include "render/app/output/scratch_folder.h"
+#include "render/app/rpc/guarded_json.h"
 #include "render/app/watch/block_event.h"
 #include "render/image/base64.h"
 #include "render/image/files.h"
@@ -63,8 +64,7 @@ void Comparison::stop()
 
 void Comparison::refuse(const std::string& with, const std::string& why)
 {
-    events_.push(EventLog::Kind::Compared,
-                 json{{"with", with}, {"why", why}}.dump(-1, ' ', false, json::error_handler_t::replace));
+    events_.push(EventLog::Kind::Compared, rpc::text_of({{"with", with}, {"why", why}}));
 }
 
 void Comparison::show(const std::string& with, const std::string& path)

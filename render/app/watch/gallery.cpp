@@ -1,6 +1,7 @@
 #include "render/app/watch/gallery.h"
 
 #include "language/names/files.h"
+#include "render/app/rpc/guarded_json.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/watch/block_event.h"
 #include "render/image/files.h"
@@ -39,8 +40,6 @@ std::vector<std::string> scenes_beside(const std::string& shown)
     return names;
 }
 
-std::string gallery_json(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
-
 int height_for(const Settings& settings)
 {
     return std::clamp(kSmallWidth * settings.height / settings.width, kSmallWidth / 4, kSmallWidth * 2);
@@ -58,7 +57,7 @@ std::string Gallery::path_of(const std::string& shown, const std::string& name)
 web::Reply Gallery::list(const std::string& shown) const
 {
     return {200, "application/json",
-            gallery_json({{"scenes", scenes_beside(shown)},
+            rpc::text_of({{"scenes", scenes_beside(shown)},
                           {"shown", fs::path(shown).filename().string()},
                           {"width", kSmallWidth},
                           {"height", height_for(settings_)}})};
@@ -114,11 +113,8 @@ web::Reply Gallery::thumbnail(const std::string& shown, const std::string& query
         image::Image picture{settings.width, settings.height, {}, 0};
         picture.hold(0, settings.height);
         if (cancel_ || trace::render(compiled, options, picture).cancelled) throw parser::Cancelled();
-        image::Encoding encoding = file_settings(settings, parsed.scene).encoding;
-        encoding.bits = 8;
-        encoding.greyscale = false;
-        encoding.dither = image::Dither::None;
-        out = block_event(0, 0, {0, 0, settings.width, settings.height}, picture, encoding);
+        out =
+            block_event(0, 0, {0, 0, settings.width, settings.height}, picture, page_encoding(settings, parsed.scene));
     } catch (const parser::Cancelled&) {
         why = "takes long";
     } catch (const csg::Cancelled&) {
@@ -132,7 +128,7 @@ web::Reply Gallery::thumbnail(const std::string& shown, const std::string& query
     }
     done_.notify_all();
     guard.join();
-    if (!why.empty()) out = gallery_json({{"why", why}});
+    if (!why.empty()) out = rpc::text_of({{"why", why}});
     return {200, "application/json", out};
 }
 

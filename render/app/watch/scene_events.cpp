@@ -1,14 +1,13 @@
 #include "render/app/watch/scene_events.h"
 
+#include "render/app/rpc/guarded_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace app {
 namespace {
 
 using nlohmann::json;
-
-/// Of one line; bytes that are not UTF-8 become U+FFFD.
-std::string line_of_json(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 json place_json(const scene::Place& place)
 {
@@ -31,17 +30,17 @@ std::string messages_event(int generation, bool wrong, const std::vector<scene::
             one["related"].push_back({{"text", related.text}, {"place", place_json(related.place)}});
         all.push_back(std::move(one));
     }
-    return line_of_json({{"g", generation}, {"wrong", wrong}, {"messages", std::move(all)}});
+    return rpc::text_of({{"g", generation}, {"wrong", wrong}, {"messages", std::move(all)}});
 }
 
 std::string text_event(int generation, const std::string& file, std::int64_t read_at)
 {
-    return line_of_json({{"g", generation}, {"file", file}, {"at", read_at}});
+    return rpc::text_of({{"g", generation}, {"file", file}, {"at", read_at}});
 }
 
 std::string scene_event(int generation, int width, int height, std::int64_t text, double clock, std::uint64_t request)
 {
-    return line_of_json({{"g", generation},
+    return rpc::text_of({{"g", generation},
                          {"width", width},
                          {"height", height},
                          {"text", text},
@@ -54,7 +53,7 @@ std::string done_event(int generation, double total, const PassTimes& times, con
     json out{{"g", generation}, {"total", total}, {"times", json::array()}};
     for (const auto& [name, seconds] : times) out["times"].push_back({name, seconds});
     if (rays != nullptr) out["rays"] = rays->camera + rays->shadow + rays->reflected + rays->refracted;
-    return line_of_json(out);
+    return rpc::text_of(out);
 }
 
 std::string controls_event(const View& view, double clock, const std::vector<parser::SceneConstant>& constants,
@@ -78,7 +77,7 @@ std::string controls_event(const View& view, double clock, const std::vector<par
     if (view.cut)
         out["cut"] = {{"normal", {view.cut->normal.x, view.cut->normal.y, view.cut->normal.z}},
                       {"offset", view.cut->offset}};
-    return line_of_json(out);
+    return rpc::text_of(out);
 }
 
 }  // namespace app

@@ -4,12 +4,14 @@
 #include "parser/constants.h"
 #include "render/app/link/mailbox.h"
 #include "render/app/pixel/pixel_answer.h"
+#include "render/app/rpc/guarded_json.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/views/pivot.h"
 #include "render/app/still/still.h"
+#include "render/app/watch/block_event.h"
 #include "render/app/watch/passes.h"
 #include "render/app/watch/scene_events.h"
 #include "render/app/watch/view_change.h"
@@ -252,10 +254,7 @@ void Session::render(const View& view, Cause cause)
     events_.push(EventLog::Kind::Controls,
                  controls_event(view, clock, constants, camera_text(camera), frames_of(settings_)), generation_);
 
-    image::Encoding encoding = file_settings(settings, parsed_->scene).encoding;
-    encoding.bits = 8;
-    encoding.greyscale = false;
-    encoding.dither = image::Dither::None;
+    const image::Encoding encoding = page_encoding(settings, parsed_->scene);
     // What is as fast as the eye is not shown coarse first: it follows a slider without flicker.
     const bool coarse = cause == Cause::Save || full_pass_ == 0 || full_pass_ > kAtOnce;
     if (!trace_passes(*compiled, render_options(settings, cancel_), encoding, coarse, generation_, events_, times))
@@ -342,10 +341,11 @@ web::Reply Session::pixel(const std::string& query)
     const std::lock_guard one_at_a_time(explaining_);
     try {
         const PixelAnswer answer = pixel_answer(looked->settings, *looked->scene, x, y, ending_early_);
-        return {
-            200, "application/json",
-            json{{"x", x}, {"y", y}, {"shown", {answer.shown.x, answer.shown.y, answer.shown.z}}, {"text", answer.text}}
-                .dump(-1, ' ', false, json::error_handler_t::replace)};
+        return {200, "application/json",
+                rpc::text_of({{"x", x},
+                              {"y", y},
+                              {"shown", {answer.shown.x, answer.shown.y, answer.shown.z}},
+                              {"text", answer.text}})};
     } catch (const std::exception& error) {
         return {500, "text/plain", error.what()};
     }

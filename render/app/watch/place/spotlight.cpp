@@ -1,6 +1,7 @@
 #include "render/app/watch/place/spotlight.h"
 
 #include "language/names/files.h"
+#include "render/app/rpc/guarded_json.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/watch/place/focus.h"
 
@@ -18,8 +19,6 @@ using nlohmann::json;
 constexpr std::size_t kMostNumbers = 12;
 constexpr auto kCalm = std::chrono::milliseconds(150);
 constexpr auto kEditorAnswers = std::chrono::milliseconds(400);
-
-std::string spotlight_json(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 /// The scene's number of a file; nothing: it has not read it.
 std::optional<std::size_t> file_number(const scene::Description& scene, const std::string& path)
@@ -154,7 +153,7 @@ void Spotlight::tell(const Place& place, const std::shared_ptr<const Looked>& lo
     const std::uint64_t mark = mark_of(*text);
     if (place.mark && *place.mark != mark) {
         out["why"] = "the editor's text is not saved";
-        return told_(spotlight_json(out));
+        return told_(rpc::text_of(out));
     }
     const language::Document document(place.file, *text);
     const auto edits = looked->numbers.find(place.file);
@@ -171,7 +170,7 @@ void Spotlight::tell(const Place& place, const std::shared_ptr<const Looked>& lo
     if (const auto lit = lit_pixels(*seen(looked), *looked->scene, *number, statements))
         out["lit"] = {
             {"step", lit->step}, {"w", lit->width}, {"h", lit->height}, {"runs", lit->runs}, {"whole", lit->whole}};
-    told_(spotlight_json(out));
+    told_(rpc::text_of(out));
 }
 
 std::shared_ptr<const SeenPixels> Spotlight::seen(const std::shared_ptr<const Looked>& looked)
@@ -219,10 +218,10 @@ web::Reply Spotlight::show(const std::string& body)
         point_at({file, offset, {}});
     }
     const bool shown =
-        shown_in_editor(spotlight_json({{"show", {{"file", file}, {"line", at.line}, {"column", at.column}}}}));
-    return {200, "application/json",
-            spotlight_json(
-                {{"place", {{"file", place->path}, {"line", at.line}, {"column", at.column}}}, {"shown", shown}})};
+        shown_in_editor(rpc::text_of({{"show", {{"file", file}, {"line", at.line}, {"column", at.column}}}}));
+    return {
+        200, "application/json",
+        rpc::text_of({{"place", {{"file", place->path}, {"line", at.line}, {"column", at.column}}}, {"shown", shown}})};
 }
 
 web::Reply Spotlight::write(const std::string& body)
@@ -239,8 +238,8 @@ web::Reply Spotlight::write(const std::string& body)
         changes.push_back({{"offset", begin}, {"length", number.end - begin}, {"text", texts.back()}});
     }
     const json edit{{"file", edits->first}, {"mark", edits->second.mark}, {"changes", std::move(changes)}};
-    const bool written = shown_in_editor(spotlight_json({{"edit", edit}}));
-    return {200, "application/json", spotlight_json({{"texts", std::move(texts)}, {"written", written}})};
+    const bool written = shown_in_editor(rpc::text_of({{"edit", edit}}));
+    return {200, "application/json", rpc::text_of({{"texts", std::move(texts)}, {"written", written}})};
 }
 
 }  // namespace app
