@@ -23,7 +23,7 @@ def growing(wanted: Optional[bool]) -> Iterator[Optional[Callable[[Any], None]]]
     if wanted is False or (wanted is None and not in_notebook()):
         yield None
         return
-    from IPython.display import display  # only where it is there
+    from IPython.display import display  # type: ignore[import]  # only where it is there
 
     from ._picture import Picture
 

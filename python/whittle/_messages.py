@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Iterable, NamedTuple, Optional
+from typing import Any, Iterable, NamedTuple, Optional, Tuple
 
 
 class Message(NamedTuple):
@@ -35,7 +35,7 @@ class SceneError(Exception):
     text 1 25
     """
 
-    def __init__(self, told: Iterable[tuple]):
+    def __init__(self, told: Iterable[Tuple[Any, ...]]):
         self.messages = [Message(*one) for one in told]
         first: Optional[Message] = next((m for m in self.messages if m.severity == "error"), None)
         self.file = first.file if first else ""

@@ -9,6 +9,7 @@ from typing import Any, Dict, List, Optional, Union
 import numpy
 
 from . import _whittle
+from ._arrays import Array, Float32
 from ._messages import Message
 
 
@@ -27,22 +28,22 @@ class Picture:
 
     def __init__(self, made: _whittle.Picture):
         self._made = made
-        self._layers: Optional[Dict[str, numpy.ndarray]] = None
+        self._layers: Optional[Dict[str, Array]] = None
 
     @property
-    def linear(self) -> numpy.ndarray:
+    def linear(self) -> Float32:
         """Linear light, float32 of shape (height, width, 3): red, green, blue, top row first, not clamped; 1 is the
         brightest that a file of 8 bits holds. Colours are weighted by their opacity (premultiplied)."""
         return self._made.light[:, :, :3]
 
     @property
-    def transmit(self) -> numpy.ndarray:
+    def transmit(self) -> Float32:
         """How clear each pixel is, float32 of shape (height, width): 0 opaque, 1 clear. Opaque everywhere unless
         `options=["+UA"]` asks for a clear background."""
         return self._made.light[:, :, 3]
 
     @property
-    def pixels(self) -> numpy.ndarray:
+    def pixels(self) -> Array:
         """What a file of this picture holds, of shape (height, width, channels): sRGB levels unless the scene or an
         option says otherwise, uint8, or uint16 where more than 8 bits a colour were asked for. Channels: 3; 4 with
         alpha, 1 for grey."""
@@ -57,7 +58,7 @@ class Picture:
         return int(self._made.light.shape[0])
 
     @property
-    def layers(self) -> Dict[str, numpy.ndarray]:
+    def layers(self) -> Dict[str, Array]:
         """What `layers=` asked for, by name, float32: "depth" of shape (height, width) in scene units, "normal",
         "position", "albedo" of shape (height, width, 3), "uv" (height, width, 2), "object" and "material" numbers;
         Cryptomatte's by the name of each channel. See docs/tools/layers.md."""
@@ -90,7 +91,7 @@ class Picture:
     def _repr_png_(self) -> bytes:
         return self.png()
 
-    def __array__(self, dtype: Any = None, copy: Any = None) -> numpy.ndarray:
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Array:
         return numpy.array(self.pixels, dtype=dtype) if dtype is not None or copy else self.pixels
 
     def __repr__(self) -> str:
@@ -101,9 +102,9 @@ class Picture:
 _TOGETHER = {"normal": "XYZ", "position": "XYZ", "albedo": "RGB", "uv": "UV"}
 
 
-def grouped(channels: Dict[str, numpy.ndarray]) -> Dict[str, numpy.ndarray]:
+def grouped(channels: Dict[str, Array]) -> Dict[str, Array]:
     """One array a layer: neighbours in the renderer's memory become one view of it."""
-    out: Dict[str, numpy.ndarray] = {}
+    out: Dict[str, Array] = {}
     for name, values in channels.items():
         layer, _, letter = name.partition(".")
         letters = _TOGETHER.get(layer)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Union
+import inspect
+from typing import Any, Callable, Concatenate, Dict, List, Optional, ParamSpec, Sequence, Union
 
 from . import _jupyter, _whittle
 from ._messages import Message
@@ -11,6 +12,7 @@ from ._solids import Measures, Mesh, Section, Spans
 from ._words import Antialias, Text, declared, picture_words, source_of
 
 Camera = Union[None, str, Dict[str, Any]]
+Words = ParamSpec("Words")
 
 
 def camera_text(camera: Camera) -> Optional[str]:
@@ -61,6 +63,7 @@ class Scene:
 
     def render(
         self,
+        /,
         *,
         width: Optional[int] = None,
         height: Optional[int] = None,
@@ -162,43 +165,30 @@ class Scene:
         return Spans(*_whittle.spans(self._source, self._options, self._exact, object, origins, directions))
 
 
-def render(
-    text_or_path: Text,
-    *,
-    width: Optional[int] = None,
-    height: Optional[int] = None,
-    antialias: Antialias = None,
-    camera: Camera = None,
-    clock: Optional[float] = None,
-    quality: Optional[int] = None,
-    threads: Optional[int] = None,
-    layers: Union[str, Sequence[str]] = "",
-    options: Sequence[str] = (),
-    progressive: Optional[bool] = None,
-    **declare: Any,
-) -> Picture:
-    """Renders a scene, given as text or as a path: `Scene(text_or_path).render(...)` in one call.
+def _of_text(method: Callable[Concatenate[Scene, Words], Picture]) -> Callable[Concatenate[Text, Words], Picture]:
+    """The same call for a scene that is given with it, and is read but once: by the render itself."""
 
-    >>> import whittle
-    >>> whittle.render("sphere { 0, 1 pigment { rgb 1 } }", width=16, height=12, antialias=True)
-    <whittle.Picture 16x12>
-    """
-    text, path = source_of(text_or_path)
-    scene = Scene.__new__(Scene)
-    scene._source = _whittle.Source(text)
-    scene._options = []
-    scene._exact = [] if path is None else [f"Input_File_Name={path}"]
-    scene._told = []
-    return scene.render(
-        width=width,
-        height=height,
-        antialias=antialias,
-        camera=camera,
-        clock=clock,
-        quality=quality,
-        threads=threads,
-        layers=layers,
-        options=options,
-        progressive=progressive,
-        **declare,
-    )
+    def render(text_or_path: Text, /, *args: Words.args, **words: Words.kwargs) -> Picture:
+        """Renders a scene, given as text or as a path: `Scene(text_or_path).render(...)` in one call.
+
+        >>> import whittle
+        >>> whittle.render("sphere { 0, 1 pigment { rgb 1 } }", width=16, height=12, antialias=True)
+        <whittle.Picture 16x12>
+        """
+        text, path = source_of(text_or_path)
+        scene = Scene.__new__(Scene)
+        scene._source = _whittle.Source(text)
+        scene._options = []
+        scene._exact = [] if path is None else [f"Input_File_Name={path}"]
+        scene._told = []
+        return method(scene, *args, **words)
+
+    own, whole = inspect.signature(render), inspect.signature(method)
+    shown = [own.parameters["text_or_path"], *list(whole.parameters.values())[1:]]
+    setattr(render, "__signature__", whole.replace(parameters=shown))  # what help() and completion show
+    render.__module__ = "whittle"
+    render.__qualname__ = "render"
+    return render
+
+
+render = _of_text(Scene.render)

@@ -7,6 +7,8 @@ from typing import List, Tuple
 
 import numpy
 
+from ._arrays import Float32, Float64, Int32, Int64, Uint32
+
 Vector = Tuple[float, float, float]
 
 
@@ -41,17 +43,17 @@ class Mesh:
 
     name: str
     problem: str
-    vertices: numpy.ndarray = field(repr=False)  #: float32, (n, 3): scene units
+    vertices: Float32 = field(repr=False)  #: float32, (n, 3): scene units
     #: uint32, (m, 3): indices of vertices; the cross product of the sides from the first to the second and third points out
     #: of the body. In the right-handed space of STL, OBJ and 3MF the same is `vertices[:, [0, 2, 1]]`, `faces[:, ::-1]`
-    faces: numpy.ndarray = field(repr=False)
+    faces: Uint32 = field(repr=False)
     #: float32, (n, 3): the surface's, out of the body, length 1; where sides meet, the mean of theirs
-    normals: numpy.ndarray = field(repr=False)
+    normals: Float32 = field(repr=False)
     color: Tuple[float, float, float]  #: of the pigment, sRGB, 0 to 1
     deviation: float  #: greatest distance between mesh and object that was found, scene units
 
     @property
-    def colors(self) -> numpy.ndarray:
+    def colors(self) -> Float32:
         """The colour of each vertex, float32, (n, 3): sRGB, 0 to 1."""
         return numpy.tile(numpy.array(self.color, dtype=numpy.float32), (len(self.vertices), 1))
 
@@ -64,7 +66,7 @@ class Section:
 
     name: str
     problem: str
-    loops: List[numpy.ndarray] = field(repr=False)
+    loops: List[Float64] = field(repr=False)
     area: float
     area_error: float  #: of the area by rays, which the loops are held against
     deviation: float
@@ -80,22 +82,22 @@ class Spans:
     behind them is left out.
     """
 
-    first: numpy.ndarray = field(repr=False)  #: int64, (rays + 1,)
-    ends: numpy.ndarray = field(repr=False)  #: float64, (spans, 2)
-    object: numpy.ndarray = field(repr=False)  #: int32, (spans,): index into names
+    first: Int64 = field(repr=False)  #: int64, (rays + 1,)
+    ends: Float64 = field(repr=False)  #: float64, (spans, 2)
+    object: Int32 = field(repr=False)  #: int32, (spans,): index into names
     names: List[str] = field(default_factory=list)
 
     def __len__(self) -> int:
         """Of rays."""
         return len(self.first) - 1
 
-    def __getitem__(self, ray: int) -> numpy.ndarray:
+    def __getitem__(self, ray: int) -> Float64:
         """Ends of one ray's spans, (k, 2)."""
         if not 0 <= ray < len(self):
             raise IndexError(f"ray {ray} of {len(self)}")
         return self.ends[self.first[ray] : self.first[ray + 1]]
 
     @property
-    def ray(self) -> numpy.ndarray:
+    def ray(self) -> Int64:
         """The ray of each span, int64, (spans,)."""
         return numpy.repeat(numpy.arange(len(self)), numpy.diff(self.first))
