@@ -1,13 +1,25 @@
 #!/usr/bin/env bash
-# clean_root.sh [FOLDER]: builds the package, installs it in a minimal Debian of this machine's release made in FOLDER (a temporary one if
-# none is given), renders there, and removes it again. As root; needs debootstrap.
+# clean_root.sh [bookworm|trixie [FOLDER]]: builds the package on that release (in a minimal Debian of its own, of a clone, where it is not this
+# machine's), installs it in a clean one, renders there, and removes it again. Both are made in FOLDER (a temporary one if none is given). As root;
+# needs debootstrap.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-package=$("$root/cmake/package.sh")
 source "$root/tests/package/bare_root.sh"
-folder=${1:-$(mktemp -d)}
-trap '[[ $# -gt 0 ]] || rm -rf --one-file-system "$folder"' EXIT
-bare_root "$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)" "$folder"
+here=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+release=${1:-$here}
+folder=${2:-$(mktemp -d)}
+trap '[[ $# -gt 1 ]] || rm -rf --one-file-system "$folder"' EXIT
+if [[ $release == "$here" ]]; then
+    package=$("$root/cmake/package.sh")
+else
+    bare_root "$release" "$folder/build"
+    inside apt-get update -q >&2
+    rm -rf "$place/root/whittle"
+    git clone -q "$root" "$place/root/whittle"
+    package=$place$(inside bash -c 'cd /root/whittle && cmake/package.sh')
+fi
+bare_root "$release" "$folder/clean"
+inside apt-get update -q >&2
 cp "$package" "$place/root/whittle.deb"
 cp "$root/scenes/first_light.pov" "$place/root/"
 expect() { "$@" || { echo "failed: $*" >&2; exit 1; }; }
@@ -28,4 +40,4 @@ expect test -s "$place/root/d.stl"
 inside apt-get remove -q -y whittle >&2
 for file in bin/whittle bin/povray lib/whittle share/whittle share/man/man1/whittle.1; do expect test ! -e "$place/usr/$file"; done
 rm "$place"/root/*.png "$place"/root/*.exr "$place"/root/*.stl
-echo "installed, run and removed: $(basename "$package")"
+echo "built, installed, run and removed on $release: $(basename "$package")"
