@@ -83,4 +83,11 @@ std::uint32_t count_member(const json& object, const char* name)
     return value >= 0 ? static_cast<std::uint32_t>(std::min(value, kMost)) : 0;
 }
 
+std::string string_of(std::string_view text, const char* name)
+{
+    const json object = json::parse(text, nullptr, false);
+    const json* const found = find_member(object, {name});
+    return found && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 }  // namespace app::rpc

@@ -43,5 +43,7 @@ const json& object_member(const json& object, const char* name);
 std::uint32_t count_member(const json& object, const char* name);
 /// Null where any of the members on the way is none.
 const json* find_member(const json& object, std::initializer_list<const char*> way);
+/// A string of an object that is given as text; empty where it is none, or text is no JSON.
+std::string string_of(std::string_view text, const char* name);
 
 }  // namespace app::rpc

@@ -45,6 +45,34 @@ int height_for(const Settings& settings)
     return std::clamp(kSmallWidth * settings.height / settings.width, kSmallWidth / 4, kSmallWidth * 2);
 }
 
+/// The whole picture of a scene, small, as the page reads it. Throws what reading and planning throw, and
+/// parser::Cancelled.
+std::string small_picture(Settings settings, const std::string& path, const std::atomic<bool>& cancel)
+{
+    settings.input_file = path;
+    settings.height = height_for(settings);
+    settings.width = kSmallWidth;
+    settings.antialias = false;
+    const Settings whole;
+    settings.start_row = whole.start_row;
+    settings.start_column = whole.start_column;
+    settings.end_row = whole.end_row;
+    settings.end_column = whole.end_column;
+    const SceneReading reading(settings, cancel);
+    const parser::Result parsed = parser::parse_file(path, reading.options);
+    plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
+    trace::RenderOptions options;
+    options.threads = threads_for(settings.threads);
+    options.isa = isa_of(settings);
+    options.cancel = &cancel;
+    const auto light = trace::run_passes(compiled, options);
+    options.indirect = light.get();
+    image::Image picture{settings.width, settings.height, {}, 0};
+    picture.hold(0, settings.height);
+    if (cancel || trace::render(compiled, options, picture).cancelled) throw parser::Cancelled();
+    return block_event(0, 0, {0, 0, settings.width, settings.height}, picture, page_encoding(settings, parsed.scene));
+}
+
 }  // namespace
 
 std::string Gallery::path_of(const std::string& shown, const std::string& name)
@@ -91,30 +119,7 @@ web::Reply Gallery::thumbnail(const std::string& shown, const std::string& query
     });
     std::string why, out;
     try {
-        Settings settings = settings_;
-        settings.input_file = path;
-        settings.width = kSmallWidth;
-        settings.height = height_for(settings_);
-        settings.antialias = false;
-        const Settings whole;
-        settings.start_row = whole.start_row;
-        settings.start_column = whole.start_column;
-        settings.end_row = whole.end_row;
-        settings.end_column = whole.end_column;
-        const SceneReading reading(settings, cancel_);
-        const parser::Result parsed = parser::parse_file(path, reading.options);
-        plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
-        trace::RenderOptions options;
-        options.threads = threads_for(settings.threads);
-        options.isa = isa_of(settings);
-        options.cancel = &cancel_;
-        const auto light = trace::run_passes(compiled, options);
-        options.indirect = light.get();
-        image::Image picture{settings.width, settings.height, {}, 0};
-        picture.hold(0, settings.height);
-        if (cancel_ || trace::render(compiled, options, picture).cancelled) throw parser::Cancelled();
-        out =
-            block_event(0, 0, {0, 0, settings.width, settings.height}, picture, page_encoding(settings, parsed.scene));
+        out = small_picture(settings_, path, cancel_);
     } catch (const parser::Cancelled&) {
         why = "takes long";
     } catch (const csg::Cancelled&) {

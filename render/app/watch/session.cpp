@@ -17,7 +17,6 @@
 #include "render/app/watch/view_change.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -26,7 +25,6 @@
 namespace app {
 namespace {
 
-using nlohmann::json;
 using JobClock = std::chrono::steady_clock;
 
 constexpr double kAtOnce = 0.03;            // seconds
@@ -284,10 +282,7 @@ web::Reply Session::change(const std::string& body)
 
 web::Reply Session::compare(const std::string& body)
 {
-    const json wanted = json::parse(body, nullptr, false);
-    const std::string with = wanted.is_object() && wanted.contains("with") && wanted["with"].is_string()
-                                 ? wanted["with"].get<std::string>()
-                                 : "";
+    const std::string with = rpc::string_of(body, "with");
     if (with == "reference") {
         comparison_.show_reference();
     } else if (with == "povray") {
@@ -312,9 +307,7 @@ std::string Session::scene_wanted()
 /// Another scene of the folder takes this one's place.
 web::Reply Session::open(const std::string& body)
 {
-    const json wanted = json::parse(body, nullptr, false);
-    const bool named = wanted.is_object() && wanted.contains("name") && wanted["name"].is_string();
-    const std::string path = named ? Gallery::path_of(scene_wanted(), wanted["name"]) : std::string();
+    const std::string path = Gallery::path_of(scene_wanted(), rpc::string_of(body, "name"));
     if (path.empty()) return {404, "text/plain", "no such scene\n"};
     {
         const std::lock_guard lock(mutex_);

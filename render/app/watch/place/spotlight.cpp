@@ -104,14 +104,12 @@ void Spotlight::take(const std::string& text)
         answered_.notify_all();
         return;
     }
-    const auto cursor = message.find("cursor");
-    if (cursor == message.end() || !cursor->is_object()) return;
+    const json* const file = rpc::find_member(message, {"cursor", "file"});
+    if (!file || !file->is_string()) return;
     const auto number = [&](const char* name) {
-        const auto at = cursor->find(name);
-        return at != cursor->end() && at->is_number_unsigned() ? at->get<std::uint64_t>() : 0;
+        const json* const at = rpc::find_member(message, {"cursor", name});
+        return at && at->is_number_unsigned() ? at->get<std::uint64_t>() : 0;
     };
-    const auto file = cursor->find("file");
-    if (file == cursor->end() || !file->is_string()) return;
     const std::shared_ptr<const Looked> looked = newest_();
     if (!looked || !file_number(*looked->scene, *file)) return;  // of another scene
     point_at(
