@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/tree/program.h"
+#include "tests/support/share.h"
 
 #include <cmath>
 #include <cstdint>
@@ -8,16 +9,7 @@
 
 namespace csg_test {
 
-/// Of `cases` those that are run: all of them, or an eighth under the sanitizers, which take ten times as long and
-/// watch memory and overflow, not laws.
-constexpr int share(int cases)
-{
-#ifdef __SANITIZE_ADDRESS__
-    return (cases + 7) / 8;
-#else
-    return cases;
-#endif
-}
+using test::share;
 
 /// Numbers that are the same on every machine: only the engine is used, not the library's distributions.
 class Rng {

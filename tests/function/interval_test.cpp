@@ -2,6 +2,7 @@
 
 #include "function/build/builder.h"
 #include "function/intervals/interval.h"
+#include "tests/support/share.h"
 
 #include <catch2/catch.hpp>
 
@@ -266,7 +267,7 @@ TEST_CASE("ranges of the library's shapes hold every value and shrink with the b
         INFO("internal " << n);
         REQUIRE(f->parameters == 3 + parameters.size());
         REQUIRE(function::narrows(*f));
-        for (int round = 0; round < 400; ++round) {
+        for (int round = 0; round < test::share(400); ++round) {
             const double size = round % 4 == 0 ? 1.0 : round % 4 == 1 ? 0.1 : round % 4 == 2 ? 1e-3 : 1e-7;
             double low[16][8], high[16][8], out_low[8], out_high[8];
             for (std::size_t i = 0; i < f->parameters; ++i)

@@ -1,5 +1,6 @@
 #include "language/format/format.h"
 #include "parser/lexer/lexer.h"
+#include "tests/support/share.h"
 
 #include <catch2/catch.hpp>
 
@@ -40,7 +41,8 @@ std::string text_of(const fs::path& path)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::vector<fs::path> texts_below(const fs::path& folder)
+/// Scenes and include files; one in `every`.
+std::vector<fs::path> texts_below(const fs::path& folder, std::size_t every = 1)
 {
     std::vector<fs::path> found;
     std::error_code error;
@@ -49,14 +51,16 @@ std::vector<fs::path> texts_below(const fs::path& folder)
         if (extension == ".pov" || extension == ".inc" || extension == ".mcr") found.push_back(entry.path());
     }
     std::sort(found.begin(), found.end());
-    return found;
+    std::vector<fs::path> taken;
+    for (std::size_t i = 0; i < found.size(); i += every) taken.push_back(found[i]);
+    return taken;
 }
 
 /// Lays out each file and compares. Returns how many were.
-std::size_t check_all(const fs::path& folder)
+std::size_t check_all(const std::vector<fs::path>& texts)
 {
     std::size_t done = 0;
-    for (const fs::path& path : texts_below(folder)) {
+    for (const fs::path& path : texts) {
         INFO(path);
         const std::string text = text_of(path);
         std::string once;
@@ -79,15 +83,16 @@ std::size_t check_all(const fs::path& folder)
 
 }  // namespace
 
-TEST_CASE("tokens of our scenes stay as they are", "[format]") { CHECK(check_all(WHITTLE_SCENES) > 200); }
+TEST_CASE("tokens of our scenes stay as they are", "[format]") { CHECK(check_all(texts_below(WHITTLE_SCENES)) > 200); }
 
 TEST_CASE("tokens of POV-Ray's scenes and include files stay as they are", "[format]")
 {
     for (const char* folder : {"/usr/share/doc/povray/examples", "/usr/share/povray-3.7/include"}) {
         if (!fs::exists(folder)) continue;
-        const std::size_t all = texts_below(folder).size(), done = check_all(folder);
-        INFO(folder << ": " << done << " of " << all);
-        CHECK(done + 3 >= all);
+        const std::vector<fs::path> texts = texts_below(folder, test::kEvery);
+        const std::size_t done = check_all(texts);
+        INFO(folder << ": " << done << " of " << texts.size());
+        CHECK(done + 3 >= texts.size());
     }
 }
 
@@ -173,13 +178,8 @@ TEST_CASE("random texts are laid out or refused, and only once", "[format]")
                                  "!",       "&",     "?",       ":",      "A",   "1",      ".5",   "1e",  "x",     ".",
                                  "\"a b\"", "\n",    "\n",      "// c\n", " ",   "  ",     "case", "for", "while", "\t",
                                  "5.",      "macro", "/* k */", "@",      "$",   "switch", "B2",   "\r\n"};
-#ifdef __SANITIZE_ADDRESS__
-    constexpr int kRounds = 1000;
-#else
-    constexpr int kRounds = 4000;
-#endif
     std::mt19937 rng(22);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < test::share(4000); ++round) {
         std::string text;
         for (std::size_t n = rng() % 60; n-- > 0;) text += words[rng() % std::size(words)];
         INFO("round " << round << ": " << text);

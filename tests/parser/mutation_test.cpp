@@ -1,5 +1,6 @@
 #include "parser/lexer/lexer.h"
 #include "parser/parse.h"
+#include "tests/support/share.h"
 
 #include <catch2/catch.hpp>
 
@@ -17,11 +18,7 @@
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::uint32_t kTexts = 6'000;  // each takes some ten times as long
-#else
-constexpr std::uint32_t kTexts = 30'000;
-#endif
+constexpr auto kTexts = static_cast<std::uint32_t>(test::share(30'000));
 
 /// A scene as its tokens' text; blanks and comments stay with the token before them.
 using Pieces = std::vector<std::string>;

@@ -1,4 +1,5 @@
 #include "tests/parser/blocks/said.h"
+#include "tests/support/share.h"
 
 #include <catch2/catch.hpp>
 
@@ -142,16 +143,11 @@ TEST_CASE("every macro of the standard includes says the same compiled and word 
     const std::filesystem::path folder = "/usr/share/povray-3.7/include";
     if (!std::filesystem::is_directory(folder)) return;  // the package is optional
     const std::vector<std::string> library = {folder.string()};
-#ifdef __SANITIZE_ADDRESS__
-    constexpr std::size_t kStep = 4;  // every fourth macro: they take ten times as long, and watch memory, not words
-#else
-    constexpr std::size_t kStep = 1;
-#endif
     std::size_t compared = 0, seen = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".inc") continue;
         for (const MacroOf& macro : macros_of(entry.path())) {
-            if (seen++ % kStep != 0) continue;
+            if (seen++ % test::kEvery != 0) continue;
             std::string numbers, mixed;
             for (std::size_t i = 0; i < macro.parameters; ++i) {
                 const std::string more = std::to_string(i + 1);
@@ -176,7 +172,7 @@ TEST_CASE("every macro of the standard includes says the same compiled and word 
                 }
         }
     }
-    CHECK(compared > 800 / kStep);
+    CHECK(compared > 800 / test::kEvery);
 }
 
 TEST_CASE("a text waits for nothing that a macro behind it may write over", "[parser][blocks]")
