@@ -234,7 +234,7 @@ private:
                     each_ray(asked, [&](std::size_t k) {
                         const Ray ray = rays.ray(static_cast<int>(k));
                         each_span_of(solid, ray, false, rays.t_min[k], rays.limit[k], origin_reach(ray),
-                                     {program.nodes.data(), of.node, {}},
+                                     {world.store, program.nodes.data(), of.node, {}},
                                      query.scratch().leaf_spans(program.nodes[of.node].max_spans),
                                      [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                                          offer(k, in, in_face);
@@ -270,7 +270,7 @@ private:
             const RayMask asked = node.test_box ? rays.intersect(corner(node.lower), corner(node.upper), mask) : mask;
             if ((asked & (asked - 1)) == 0) continue;
             const RayBatch& told = told_of(solid, asked, false, [&](const Ray& ray, Stretch& range) {
-                return narrow_to_deciding(nodes.data(), i, ray, range);
+                return narrow_to_deciding(world.store, nodes.data(), i, ray, range);
             });
             known.add(&node, told, [&](std::size_t k) { return std::pair(rays.t_min[k], rays.limit[k]); });
         }

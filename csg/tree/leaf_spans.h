@@ -8,6 +8,7 @@ namespace csg {
 
 /// A leaf of a program, and what is known already along the ray at hand.
 struct AskedLeaf {
+    const SolidStore& store;
     const Node* nodes;
     std::uint32_t leaf;
     const FetchedSpans& fetched;
@@ -31,7 +32,7 @@ inline void each_span_of(const T& solid, const Ray& ray, bool inverted, double t
             if (solid.surface()) return;
             if (of.fetched.each_span(of.nodes + of.leaf, t_min, t_max, f)) return;
             Stretch part{t_min, t_max};
-            narrow_to_deciding(of.nodes, of.leaf, ray, part);
+            narrow_to_deciding(of.store, of.nodes, of.leaf, ray, part);
             solid.spans(ray, part.from, part.to, list);
         } else if constexpr (std::is_same_v<T, Mesh>) {
             solid.spans(ray, inverted, list);

@@ -59,16 +59,48 @@ inline void widen(Stretch& in_box, double reach)
     in_box.to += kRoom * (std::abs(in_box.to) + reach);
 }
 
-/// Narrows a stretch to what a leaf is asked for: beyond the box of an operator above it that one holds nothing,
-/// whatever the leaf does. Of bounds nothing is left out, for a guard asks whether the ray meets them anywhere. False,
-/// and nothing is narrowed, where the ray misses a box.
-inline bool narrow_to_deciding(const Node* nodes, std::uint32_t leaf, const Ray& ray, Stretch& part)
+/// Narrows a stretch to what lies between the first and the last place where a ray meets a leaf that has no box: a
+/// half-space or a quadric. Others are left as they are. False: the ray misses it.
+inline bool narrow_to_endless(const SolidStore& store, const Node& node, const Ray& ray, Stretch& part)
 {
+    if (node.op != Op::Leaf || node.bounded) return true;
+    Stretch held;
+    if (kind_of(node.solid) == SolidKind::Plane) {
+        Interval in{-kInfinity, kInfinity};
+        const bool met = store.all<Plane>()[index_of(node.solid)].interval(ray, in);
+        if (!node.inverted && met) held = {in.entry, in.exit};
+        else if (node.inverted && in.entry > -kInfinity) held = {-kInfinity, in.entry};
+        else if (node.inverted && in.exit < kInfinity) held = {in.exit, kInfinity};
+        else return true;  // along it
+    } else if (kind_of(node.solid) == SolidKind::Quadric && !node.inverted) {
+        std::array<Span, 2> memory;
+        SpanList spans(memory.data(), static_cast<std::uint32_t>(memory.size()));
+        store.all<Quadric>()[index_of(node.solid)].intersect(ray, spans);
+        for (const Span& span : spans) held.include({span.in.t, span.out.t});
+    } else {
+        return true;
+    }
+    part.narrow(held);
+    return part.from <= part.to + kCoincidence * std::abs(part.to);
+}
+
+/// Narrows a stretch to what a leaf is asked for: beyond the box of an operator above it that one holds nothing,
+/// whatever the leaf does, and an intersection holds nothing beyond any of its operands. Of bounds nothing is left out,
+/// for a guard asks whether the ray meets them anywhere. False, and nothing is narrowed, where the ray misses one.
+inline bool narrow_to_deciding(const SolidStore& store, const Node* nodes, std::uint32_t leaf, const Ray& ray,
+                               Stretch& part)
+{
+    constexpr int kMostEndless = 8;  // operands that are looked at, of one operator
     const glm::dvec3 inverse = 1.0 / ray.direction;
     Stretch in_box = part;
     for (std::uint32_t i = leaf; i != 0 && nodes[nodes[i].parent].op != Op::Guard;) {
+        const std::uint32_t below = i;
         i = nodes[i].parent;
         if (nodes[i].bounded && !narrow_to_box(nodes[i], ray, inverse, in_box)) return false;
+        if (nodes[i].op != Op::Intersection && nodes[i].op != Op::Clip) continue;
+        int looks = kMostEndless;
+        for (std::uint32_t k = i + 1; k < nodes[i].end && looks > 0; k = nodes[k].end, --looks)
+            if (k != below && !narrow_to_endless(store, nodes[k], ray, in_box)) return false;
     }
     widen(in_box, origin_reach(ray));
     part.narrow(in_box);

@@ -204,7 +204,7 @@ protected:
         Stretch inside, outside = part;
         bool some = false, before = false;
         with_solid(store_, node.solid, [&](const auto& solid) {
-            each_span_of(solid, ray_, node.inverted, t_min_, t_max_, reach_, {nodes_, i, scratch_.fetched},
+            each_span_of(solid, ray_, node.inverted, t_min_, t_max_, reach_, {store_, nodes_, i, scratch_.fetched},
                          {scratch_.spans_.data(), node.max_spans},
                          [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                              if (out < begin || in > stop) return;

@@ -244,7 +244,7 @@ private:
             std::uint32_t count = 0;
             with_solid(store_, leaf.solid, [&](const auto& solid) {
                 each_span_of(solid, of, false, rays_.t_min[ray], rays_.limit[ray], origin_reach(of),
-                             {program_->nodes.data(), leaf.node, scratch.fetched},
+                             {store_, program_->nodes.data(), leaf.node, scratch.fetched},
                              scratch.leaf_spans(program_->nodes[leaf.node].max_spans),
                              [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
                                  if (count < most) own[count].put(ray, in, in_face, out, out_face);

@@ -30,14 +30,16 @@ Solid random_cut(Rng& rng)
 {
     const glm::dvec3 c(rng.uniform(0.2, 0.8), rng.uniform(0.2, 0.8), rng.uniform(0.2, 0.8));
     const double r = rng.uniform(0.05, 0.3);
-    switch (rng.below(3)) {
+    switch (rng.below(5)) {
     case 0: return Sphere{c, r};
     case 1: return Box{c - r, c + r};
+    case 2: return Plane{rng.direction(), rng.uniform(-0.5, 1.0)};
+    case 3: return Quadric{{1, -2, 1}, {0, 0, 0}, {0, 0, 0}, r - 0.15, Transform::translate(c)};  // of one sheet or two
     default: return Quadric{{1, 0, 1}, {0, 0, 0}, {0, 0, 0}, -r * r, Transform::translate(c)};
     }
 }
 
-enum Form { Common, CutLessTerrain, TerrainClipped, CutClipped, kForms };
+enum Form { Common, CutLessTerrain, TerrainLessCut, TerrainClipped, CutClipped, kForms };
 
 Tree tree_of(Form form, PartId terrain, PartId cut)
 {
@@ -45,6 +47,7 @@ Tree tree_of(Form form, PartId terrain, PartId cut)
     Tree tree{.op = form == Common ? Tree::Op::Intersection : Tree::Op::Difference};
     if (form == Common) tree.operands = {ground, other};
     else if (form == CutLessTerrain) tree.operands = {other, ground};
+    else if (form == TerrainLessCut) tree.operands = {ground, other};
     else tree = form == TerrainClipped ? ground : other;
     if (form == TerrainClipped) tree.clips = {other};
     if (form == CutClipped) tree.clips = {ground};
@@ -80,7 +83,7 @@ struct Spans {
 std::vector<double> expected(Form form, const Spans& terrain, const Spans& cut)
 {
     std::vector<double> out;
-    if (form != CutClipped) terrain.seen(cut, true, out);
+    if (form != CutClipped) terrain.seen(cut, form != TerrainLessCut, out);
     if (form != TerrainClipped) cut.seen(terrain, form != CutLessTerrain, out);
     std::sort(out.begin(), out.end());
     return out;
