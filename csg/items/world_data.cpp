@@ -104,6 +104,19 @@ void fill_spheres(WorldData& world)
     }
 }
 
+/// Whether rays that come near a cut of a simple form would go their own way, and the boolean form has lanes for it.
+bool cut_by_quadric(const Program& program)
+{
+    constexpr std::uint32_t kMostCuts = 8;  // the boolean form asks all of them of every ray
+    const SumOfProducts& form = program.products;
+    const ProductTerm& term = form.terms[0];
+    if (!program.boolean.usable() || term.cut_last - term.cut_first > kMostCuts) return false;
+    return std::any_of(form.cuts.begin() + term.cut_first, form.cuts.begin() + term.cut_last,
+                       [&](const ProductCut& cut) {
+                           return cut.count == 1 && kind_of(form.leaves[cut.first].solid) == SolidKind::Quadric;
+                       });
+}
+
 }  // namespace
 
 void WorldData::add_solid(PartId solid, bool inverted, std::uint32_t object, std::uint8_t visible)
@@ -153,7 +166,7 @@ void WorldData::finish(int threads)
         WorldItem& item = items[i];
         item.all_opaque = all_opaque(*this, item);
         item.simple = item.solid == kNoPart && item.instance == Hit::kNoInstance &&
-                      programs[item.program].products.simple();
+                      programs[item.program].products.simple() && !cut_by_quadric(programs[item.program]);
         item.plain = item.simple && programs[item.program].products.terms[0].plain();
         item.boolean = item.solid == kNoPart && item.instance == Hit::kNoInstance && !item.simple &&
                        programs[item.program].boolean.usable();
