@@ -162,13 +162,17 @@ private:
         targets_[k] = out;
     }
 
-    /// Makes the rays of the tile's samples: in vector lanes for a perspective camera, else one by one. With other
-    /// cameras not every sample has a ray.
+    /// Makes the rays of the tile's samples: in vector lanes for a perspective or orthographic camera, else one by one.
+    /// With other cameras not every sample has a ray.
     void make_rays()
     {
         rays_.common_origin = camera_.common_origin();
         rays_.count = samples_;
         if (camera_.flat_projection() && camera_.perspective(x_.data(), y_.data(), rays_)) return;
+        if (camera_.is_parallel() && camera_.parallel(x_.data(), y_.data(), rays_)) {
+            for (int i = 0; i < samples_; ++i) starts_.find(static_cast<std::size_t>(i), rays_.ray(i).origin);
+            return;
+        }
         rays_.count = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(samples_); ++i) {
             csg::Ray ray;

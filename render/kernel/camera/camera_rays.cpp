@@ -141,6 +141,26 @@ bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& r
     return (long_enough & kAll) == kAll;
 }
 
+bool CameraRays::parallel(const double* px, const double* py, csg::RayTile& rays) const
+{
+    using csg::lanes::Double;
+    const glm::dvec3 &o = camera_.location, &r = camera_.right, &up = camera_.up;
+    const double length = glm::length(camera_.direction);
+    if (!(length > 0)) return false;
+    const glm::dvec3 d = camera_.direction / length;
+    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
+        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        (Double(o.x) + (u * Double(r.x) + v * Double(up.x))).store_aligned(rays.ox.data() + i);
+        (Double(o.y) + (u * Double(r.y) + v * Double(up.y))).store_aligned(rays.oy.data() + i);
+        (Double(o.z) + (u * Double(r.z) + v * Double(up.z))).store_aligned(rays.oz.data() + i);
+        Double(d.x).store_aligned(rays.dx.data() + i);
+        Double(d.y).store_aligned(rays.dy.data() + i);
+        Double(d.z).store_aligned(rays.dz.data() + i);
+    }
+    return true;
+}
+
 void CameraRays::unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy,
                                       double* dz) const
 {

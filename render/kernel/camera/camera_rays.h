@@ -41,6 +41,13 @@ public:
     /// as from ray(). Reads up to a multiple of 8. False if one of them has no length.
     bool perspective(const double* px, const double* py, csg::RayTile& rays) const;
 
+    /// Whole rays of an orthographic camera without a normal, in the same way.
+    bool parallel(const double* px, const double* py, csg::RayTile& rays) const;
+    bool is_parallel() const
+    {
+        return camera_.kind == scene::Camera::Kind::Orthographic && extras_.normal == texture::kNone;
+    }
+
     /// Directions of any length of a perspective camera's samples, in vector lanes; the same bits as from
     /// unscaled_ray(). Reads and writes up to a multiple of 8.
     void unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy, double* dz) const;

@@ -112,3 +112,26 @@ TEST_CASE("orthographic rays are parallel and start in the picture's plane", "[t
             CHECK(glm::length(ray.origin - glm::dvec3(x - 3.5, 2.5 - y, -5)) < 1e-12);
         }
 }
+
+TEST_CASE("rays of an orthographic camera are the same in lanes as alone", "[camera]")
+{
+    for (const char* block : {"orthographic location <1, 2, -7> look_at <.3, .1, 0> angle 33",
+                              "orthographic location 10*y direction -3*y up 2.2*z right 3*x"}) {
+        const trace::CameraRays camera = camera_of(block);
+        REQUIRE(camera.is_parallel());
+        csg::RayTile rays;
+        alignas(64) std::array<double, csg::kTileRays> px{}, py{};
+        for (std::size_t k = 0; k < 45; ++k) {
+            px[k] = static_cast<double>(k % 8) + 0.1 * static_cast<double>(k % 3);
+            py[k] = static_cast<double>(k / 8) - 0.3;
+        }
+        rays.count = 45;
+        REQUIRE(camera.parallel(px.data(), py.data(), rays));
+        for (int k = 0; k < rays.count; ++k) {
+            csg::Ray alone;
+            REQUIRE(camera.ray(px[static_cast<std::size_t>(k)], py[static_cast<std::size_t>(k)], alone));
+            CHECK(rays.ray(k).origin == alone.origin);
+            CHECK(rays.ray(k).direction == alone.direction);
+        }
+    }
+}
