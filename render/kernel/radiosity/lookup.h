@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 
 /// Which samples points may use, and how much they count (spec 6, 4.5).
 namespace trace::radiosity {
@@ -199,16 +200,22 @@ private:
     /// The same, the samples together, point after point: where fewer points than samples are at hand.
     std::uint32_t close_to_any(const SampleGrid::Chunk& chunk, std::uint32_t points) const
     {
-        static_assert(SampleGrid::kInChunk == kLanes);
+        // A register may reach over the arrays behind the one that is read, whose lanes do not count.
+        constexpr std::size_t kRead = SampleGrid::kInChunk;
+        static_assert(kRead <= Float::size &&
+                      offsetof(SampleGrid::Chunk, reach) + sizeof(Float) <= sizeof(SampleGrid::Chunk));
+        const auto samples = [&](const std::array<float, kRead>& from) {
+            return Float::load_unaligned(reinterpret_cast<const float*>(&chunk) + (from.data() - chunk.x.data()));
+        };
+        const Float cx = samples(chunk.x), cy = samples(chunk.y), cz = samples(chunk.z), reach = samples(chunk.reach);
         std::uint32_t close = 0;
         for (; points != 0; points &= points - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(points));
-            for (std::size_t at = 0; at < kLanes; at += Float::size) {
-                const Float x = Float(x_[k]) - load(chunk.x, at), y = Float(y_[k]) - load(chunk.y, at),
-                            z = Float(z_[k]) - load(chunk.z, at), far = Float(here_[k]) * load(chunk.reach, at);
-                close |= csg::lanes::mask(x * x + y * y + z * z < far * far) << at;
-            }
+            const Float x = Float(x_[k]) - cx, y = Float(y_[k]) - cy, z = Float(z_[k]) - cz,
+                        far = Float(here_[k]) * reach;
+            close |= csg::lanes::mask(x * x + y * y + z * z < far * far);
         }
+        close &= (1u << kRead) - 1u;
         return close;
     }
 

@@ -64,10 +64,11 @@ private:
 class SampleGrid {
 public:
     static constexpr std::uint32_t kNone = 0xffffffffu;  ///< no chunk
-    static constexpr std::size_t kInChunk = 8;
+    static constexpr std::size_t kInChunk = 4;           ///< a list has two in the mean where samples lie far apart
 
-    /// Samples of one list: points from the list's corner, and reaches.
-    struct alignas(32) Chunk {
+    /// Samples of one list: points from the list's corner, and reaches. Arrays lie one behind the other, as
+    /// close_to_any() needs.
+    struct alignas(16) Chunk {
         std::array<float, kInChunk> x, y, z, reach;
         std::array<std::uint32_t, kInChunk> number;
         std::uint32_t count = 0, next = kNone;
