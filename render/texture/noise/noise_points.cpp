@@ -245,12 +245,44 @@ private:
     std::array<std::uint8_t, kMostPoints> place_;
 };
 
+/// Of few points all octaves side by side: vectors of one would be too few to hide what they wait for. False: there is
+/// no room for them.
+bool add_together(const Points& p, OctaveSum kind, int generator, Values& out)
+{
+    const std::size_t stride = (p.size() + kLanes - 1) / kLanes * kLanes,
+                      octaves = static_cast<std::size_t>(octaves_of(kind));
+    if (stride * octaves > kMostPoints) return false;
+    Points all;
+    Values n;
+    all.density = p.density;
+    all.count = static_cast<int>(stride * octaves);
+    double factor = 1.0;
+    for (std::size_t k = 0; k < octaves; ++k, factor *= 2.0) {
+        const Double by(first_scale(kind) * factor);
+        each(p.size(), [&](std::size_t i) {
+            put(all.x, k * stride + i, by * get(p.x, i));
+            put(all.y, k * stride + i, by * get(p.y, i));
+            put(all.z, k * stride + i, by * get(p.z, i));
+        });
+    }
+    noise_points(all, generator, n);
+    each(p.size(), [&](std::size_t i) {
+        Double sum(0.0);
+        double share = 1.0;
+        for (std::size_t k = 0; k < octaves; ++k, share *= 0.5)
+            sum = sum + octave_term(get(n, k * stride + i), kind, generator, Double(share));
+        put(out, i, sum * Double(last_factor(kind)));
+    });
+    return true;
+}
+
 }  // namespace
 
 void octave_points(const Points& p, OctaveSum kind, int generator, const FlatEnds& flat, Values& out)
 {
     double factor = 1.0;
     if (!(flat.high < last_factor(kind) * 2.0 || flat.low > 0.0)) {
+        if (add_together(p, kind, generator, out)) return;
         Values n;
         Points scaled;
         each(p.size(), [&](std::size_t i) { put(out, i, Double(0.0)); });
