@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/unit_again.h"
 #include "render/texture/evaluate.h"
 
 #include <array>
@@ -106,7 +107,7 @@ void each_layers(const TextureSet& set, std::uint32_t index, const glm::dvec3& p
 {
     if (normal == kNone) return n;
     const auto map = [&](std::size_t i) -> const Texture& { return set.textures[enclosing.textures[i]]; };
-    n = glm::normalize(perturb(set, normal, enclosing.into(set, n), p, around));
+    n = numbers::unit_again(perturb(set, normal, enclosing.into(set, n), p, around));
     for (std::size_t i = enclosing.count; i-- > 0;)
         n = normal_out_of(set, set.patterns[map(i).pattern], n, map(i).no_bump_scale);
     return n;

@@ -1,9 +1,11 @@
+#include "numbers/unit_again.h"
 #include "tests/numbers/arguments.h"
 
 #include <catch2/catch.hpp>
 
 #include <cstring>
 #include <map>
+#include <random>
 
 using numbers_test::kInf;
 using numbers_test::kNan;
@@ -139,4 +141,24 @@ TEST_CASE("powers and roots that a double holds are exact", "[numbers]")
     CHECK(numbers::exp(0.0) == 1.0);
     CHECK(numbers::cos(0.0) == 1.0);
     CHECK(numbers::tan(std::numbers::pi / 4) < 1.0);
+}
+
+TEST_CASE("what is of unit length is made so again to the last bit, and what is not as well", "[numbers]")
+{
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> along(-1.0, 1.0);
+    int changed = 0;
+    const auto agree = [&](const glm::dvec3& v) {
+        const glm::dvec3 again = numbers::unit_again(v), from_root = glm::normalize(v);
+        REQUIRE((again == from_root || v == glm::dvec3(0)));
+        changed += again != v ? 1 : 0;
+    };
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 v(along(random), along(random), along(random)), unit = glm::normalize(v);
+        agree(v);
+        agree(unit);
+        for (const double off : {-0x1p-50, -0x1p-52, -0x1p-53, 0x1p-52, 0x1p-51, 0x1p-49}) agree(unit * (1.0 + off));
+    }
+    CHECK(changed > 40000);  // also of those whose root is looked up
+    for (const double size : {0.0, 1e-200, 1e200}) agree(glm::dvec3(size, -size, size));
 }

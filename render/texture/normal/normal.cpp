@@ -1,3 +1,4 @@
+#include "numbers/unit_again.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/nearest_cells.h"
@@ -13,6 +14,8 @@ namespace texture {
 namespace {
 
 glm::dvec3 unit_unless(bool keep_length, const glm::dvec3& n) { return keep_length ? n : glm::normalize(n); }
+/// The same of what is of unit length as a rule, and where a nest of maps waits for one space after the other.
+glm::dvec3 unit_again_unless(bool keep_length, const glm::dvec3& n) { return keep_length ? n : numbers::unit_again(n); }
 
 /// Component i of the result is n . (image of axis i under the forward transformation), the forward one being
 /// the inverse of what the warp holds (spec 4, 15.1).
@@ -125,7 +128,7 @@ glm::dvec3 facet_normal(const Pattern& pattern, const glm::dvec3& raw, const glm
 
 glm::dvec3 normal_into(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length)
 {
-    n = unit_unless(keep_length, n);
+    n = unit_again_unless(keep_length, n);
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) n = into(*t, n);
     return unit_unless(keep_length, n);
@@ -133,7 +136,7 @@ glm::dvec3 normal_into(const TextureSet& set, const Pattern& pattern, glm::dvec3
 
 glm::dvec3 normal_out_of(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length)
 {
-    n = unit_unless(keep_length, n);
+    n = unit_again_unless(keep_length, n);
     for (std::uint32_t i = pattern.warp_count; i-- > 0;)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) n = out_of(*t, n);
     return unit_unless(keep_length, n);
@@ -157,7 +160,7 @@ glm::dvec3 perturb(const TextureSet& set, std::uint32_t index, const glm::dvec3&
     // Without bump scaling a lone normal stays unnormalised until the layer's own is done; the layer normalises. What a
     // map makes of two neighbours, not an average, is normalised all the same. A slope sees either as it is here (spec
     // 4, 15.1).
-    around.normal = normal.no_bump_scale && normal.map != Normal::Map::Normals ? out : glm::normalize(out);
+    around.normal = normal.no_bump_scale && normal.map != Normal::Map::Normals ? out : numbers::unit_again(out);
     return around.normal;
 }
 
