@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi, kCenter = 1e-10;
 /// v turned about a unit axis, right-handed.
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
 {
-    const double c = numbers::cos(angle), s = numbers::sin(angle);
+    const auto [s, c] = numbers::sine_and_cosine(angle);
     return c * v + s * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
 }
 
@@ -80,8 +80,9 @@ void PhotonAim::send(double theta, double phi, std::vector<Emission>& out) const
         const glm::dvec3 foot = target_.center - l * glm::dot(l, frame_.toward) * distance_;
         return send_from(foot + turned(frame_.left * theta, l, phi), l, 1.0f, out);
     }
-    const auto from = [&](const Frame& frame, const glm::dvec3& origin, float share) {
-        const glm::dvec3 off = numbers::cos(theta) * frame.toward - numbers::sin(theta) * frame.left;
+    const auto [across, along] = numbers::sine_and_cosine(theta);
+    const auto from = [&, across = across, along = along](const Frame& frame, const glm::dvec3& origin, float share) {
+        const glm::dvec3 off = along * frame.toward - across * frame.left;
         send_from(origin, turned(off, frame.toward, phi), share, out);
     };
     if (!area_) return from(frame_, light_.location, 1.0f);
