@@ -93,11 +93,6 @@ private:
     };
     struct Stretch : Course<double> {
         double strength, most;
-        /// The middle Bernstein ordinate between two places.
-        double between(double a, double b) const
-        {
-            return w0 + 0.5 * w1 * ((a - ref) + (b - ref)) + w2 * (a - ref) * (b - ref);
-        }
     };
     struct Walk;
     template <std::size_t components>

@@ -5,6 +5,7 @@
 #include "csg/freeform/shared/bernstein.h"
 
 #include <algorithm>
+#include <cstring>
 
 /// What a ray, or a ray a lane, has in the reach of a blob's components, and what one needs to follow it.
 
@@ -99,6 +100,51 @@ struct Blob::Walk {
         bool leaves;
     };
     static constexpr std::size_t kStretches = 3;  ///< of a component
+    static constexpr std::size_t kTogether = 4;
+    typedef double Together __attribute__((vector_size(sizeof(double) * kTogether)));
+    /// What sums ask of so many stretches that are active, side by side: from the k-th on; 0 where there are no more.
+    struct Active {
+        Together leave, ref, w0, w1, w2, strength;
+
+        Active(const Walk& of, std::size_t k)
+        {
+            static constexpr Stretch kNone{};
+            static_assert(sizeof(Stretch) == 2 * sizeof(Together));
+            Together low[kTogether], high[kTogether];
+            for (std::size_t i = 0; i < kTogether; ++i) {
+                const Stretch& s = k + i < of.active_count ? of.stretches[of.active[k + i]] : kNone;
+                const char* const numbers = reinterpret_cast<const char*>(&s);
+                std::memcpy(&low[i], numbers, sizeof low[i]);                    // enter, leave, ref, w0
+                std::memcpy(&high[i], numbers + sizeof low[i], sizeof high[i]);  // w1, w2, strength, most
+            }
+            Together unused;
+            turn(low, unused, leave, ref, w0);
+            turn(high, w1, w2, strength, unused);
+        }
+        /// Columns from rows.
+        static void turn(const Together* of, Together& a, Together& b, Together& c, Together& d)
+        {
+            const Together ac01 = __builtin_shufflevector(of[0], of[1], 0, 4, 2, 6),
+                           bd01 = __builtin_shufflevector(of[0], of[1], 1, 5, 3, 7),
+                           ac23 = __builtin_shufflevector(of[2], of[3], 0, 4, 2, 6),
+                           bd23 = __builtin_shufflevector(of[2], of[3], 1, 5, 3, 7);
+            a = __builtin_shufflevector(ac01, ac23, 0, 1, 4, 5);
+            b = __builtin_shufflevector(bd01, bd23, 0, 1, 4, 5);
+            c = __builtin_shufflevector(ac01, ac23, 2, 3, 6, 7);
+            d = __builtin_shufflevector(bd01, bd23, 2, 3, 6, 7);
+        }
+        // Results go where they are wanted: calls that return four numbers differ from machine to machine.
+        void w(double t, Together& out) const
+        {
+            const Together s = t - ref;
+            out = w0 + s * (w1 + s * w2);
+        }
+        /// The middle Bernstein ordinate between two places.
+        void between(double a, double b, Together& out) const
+        {
+            out = w0 + 0.5 * w1 * ((a - ref) + (b - ref)) + w2 * (a - ref) * (b - ref);
+        }
+    };
 
     Stretch* stretches;
     End* ends;
@@ -186,30 +232,40 @@ struct Blob::Walk {
     /// Where fields only add, nor below this between two places: one that reaches over both is least at one of them.
     double least(double a, double b) const
     {
-        double sum = 0.0;
-        for (std::size_t k = 0; k < active_count; ++k) {
-            const Stretch& s = stretches[active[k]];
-            if (s.leave < b) continue;
-            const double w = std::min(s.w(a), s.w(b));
-            sum += s.strength * (w * w - kRounding);
+        Together sum{};
+        for (std::size_t k = 0; k < active_count; k += kTogether) {
+            const Active s(*this, k);
+            Together first, last;
+            s.w(a, first);
+            s.w(b, last);
+            const Together w = first < last ? first : last;
+            sum += s.leave < b ? Together{} : s.strength * (w * w - kRounding);
         }
-        return sum;
+        return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     }
 
-    /// The sum of the active fields less the threshold, on [a, b].
+    /// The sum of the active fields less the threshold, on [a, b]. Terms are made side by side and added one after the
+    /// other, in order.
     Quartic sum(double a, double b, double threshold) const
     {
-        Quartic all{-threshold, -threshold, -threshold, -threshold, -threshold};
-        for (std::size_t k = 0; k < active_count; ++k) {
-            const Stretch& s = stretches[active[k]];
-            const double first = s.w(a), last = s.w(b), middle = s.between(a, b);
-            all[0] += s.strength * first * first;
-            all[1] += s.strength * first * middle;
-            all[2] += s.strength * (first * last + 2.0 * middle * middle) * (1.0 / 3.0);
-            all[3] += s.strength * middle * last;
-            all[4] += s.strength * last * last;
+        Together outer{-threshold, -threshold, -threshold, -threshold};  // all but the middle ordinate
+        double inner = -threshold;
+        for (std::size_t k = 0; k < active_count; k += kTogether) {
+            const Active s(*this, k);
+            Together first, last, middle;
+            s.w(a, first);
+            s.w(b, last);
+            s.between(a, b, middle);
+            const Together begin = s.strength * first, end = s.strength * last;
+            const Together t0 = begin * first, t1 = begin * middle, t3 = s.strength * middle * last, t4 = end * last;
+            const Together t2 = s.strength * (first * last + 2.0 * middle * middle) * (1.0 / 3.0);
+            const Together ordinates[] = {t0, t1, t3, t4};
+            Together of[kTogether];
+            Active::turn(ordinates, of[0], of[1], of[2], of[3]);
+            for (const Together& one : of) outer += one;
+            for (std::size_t i = 0; i < kTogether; ++i) inner += t2[i];
         }
-        return all;
+        return {outer[0], outer[1], inner, outer[2], outer[3]};
     }
 };
 
