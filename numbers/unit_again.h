@@ -27,7 +27,7 @@ inline const std::array<double, 2 * kUnitsOff + 1> kInverseRoots = [] {
 /// quotient, for which all that follows would wait, would tell.
 [[gnu::always_inline]] inline glm::dvec3 unit_again(const glm::dvec3& v)
 {
-    const double square = glm::dot(v, v);
+    const double x = v.x, y = v.y, z = v.z, square = x * x + y * y + z * z;
     const std::int64_t off = std::bit_cast<std::int64_t>(square) - std::bit_cast<std::int64_t>(1.0);
     double inverse;
     if (off >= -kUnitsOff && off <= kUnitsOff) [[likely]] {
@@ -36,7 +36,7 @@ inline const std::array<double, 2 * kUnitsOff + 1> kInverseRoots = [] {
         asm volatile("");  // else a compiler may work the root out in any case
         inverse = glm::inversesqrt(square);
     }
-    return v * inverse;
+    return {x * inverse, y * inverse, z * inverse};
 }
 
 }  // namespace numbers

@@ -13,9 +13,12 @@
 namespace texture {
 namespace {
 
-glm::dvec3 unit_unless(bool keep_length, const glm::dvec3& n) { return keep_length ? n : glm::normalize(n); }
-/// The same of what is of unit length as a rule, and where a nest of maps waits for one space after the other.
-glm::dvec3 unit_again_unless(bool keep_length, const glm::dvec3& n) { return keep_length ? n : numbers::unit_again(n); }
+/// glm::normalize(), number by number.
+glm::dvec3 unit(const glm::dvec3& n)
+{
+    const double x = n.x, y = n.y, z = n.z, inverse = glm::inversesqrt(x * x + y * y + z * z);
+    return {x * inverse, y * inverse, z * inverse};
+}
 
 /// Component i of the result is n . (image of axis i under the forward transformation), the forward one being
 /// the inverse of what the warp holds (spec 4, 15.1).
@@ -126,20 +129,25 @@ glm::dvec3 facet_normal(const Pattern& pattern, const glm::dvec3& raw, const glm
     return n + coords * d;
 }
 
+// Nests of maps wait for one space after the other: what is of unit length as a rule is made so again without a root,
+// and a number by itself stays in a register.
+
 glm::dvec3 normal_into(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length)
 {
-    n = unit_again_unless(keep_length, n);
+    if (!keep_length) n = numbers::unit_again(n);
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) n = into(*t, n);
-    return unit_unless(keep_length, n);
+    if (!keep_length) n = unit(n);
+    return n;
 }
 
 glm::dvec3 normal_out_of(const TextureSet& set, const Pattern& pattern, glm::dvec3 n, bool keep_length)
 {
-    n = unit_again_unless(keep_length, n);
+    if (!keep_length) n = numbers::unit_again(n);
     for (std::uint32_t i = pattern.warp_count; i-- > 0;)
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i])) n = out_of(*t, n);
-    return unit_unless(keep_length, n);
+    if (!keep_length) n = unit(n);
+    return n;
 }
 
 glm::dvec3 perturb(const TextureSet& set, std::uint32_t index, const glm::dvec3& n, const glm::dvec3& p,
