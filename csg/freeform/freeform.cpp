@@ -7,6 +7,23 @@
 #include <type_traits>
 
 namespace csg {
+namespace {
+
+template <class Kind>
+Ray into(const Kind& kind, const Transform& frame, const Ray& ray)
+{
+    if constexpr (OfLastBits<Kind>) return {kind.into(frame, ray.origin), frame.inverse_vector(ray.direction)};
+    else return local_ray(frame, ray);
+}
+
+template <class Kind>
+glm::dvec3 into(const Kind& kind, const Transform& frame, const glm::dvec3& point)
+{
+    if constexpr (OfLastBits<Kind>) return kind.into(frame, point);
+    else return frame.inverse_point(point);
+}
+
+}  // namespace
 
 Aabb FreeformShape::extent(const Transform& moved) const
 {
@@ -84,8 +101,13 @@ bool Freeform::inverse_closed() const
 
 void Freeform::intersect(const Ray& ray, IntersectionList& out) const
 {
-    const Ray local = local_ray(frame, ray);
-    std::visit([&](const auto& kind) { kind.intersect(local, out); }, shape->kind);
+    std::visit(
+        [&](const auto& kind) {
+            const Ray local = into(kind, frame, ray);
+            if constexpr (OfLastBits<std::decay_t<decltype(kind)>>) kind.intersect(local, out, !frame.identity());
+            else kind.intersect(local, out);
+        },
+        shape->kind);
 }
 
 bool Freeform::intersects_many() const
@@ -100,11 +122,12 @@ bool Freeform::intersects_many() const
 
 void Freeform::intersect_many(RayBatch& batch) const
 {
-    for (Ray& ray : batch.asked()) ray = local_ray(frame, ray);
     std::visit(
         [&](const auto& kind) {
-            if constexpr (IntersectsMany<std::decay_t<decltype(kind)>>)
-                kind.intersect_many(batch.asked(), batch.records.data());
+            using Kind = std::decay_t<decltype(kind)>;
+            for (Ray& ray : batch.asked()) ray = into(kind, frame, ray);
+            if constexpr (OfLastBits<Kind>) kind.intersect_many(batch.asked(), batch.records.data(), !frame.identity());
+            else if constexpr (IntersectsMany<Kind>) kind.intersect_many(batch.asked(), batch.records.data());
             else
                 for (std::size_t k = 0; k < batch.count; ++k) kind.intersect(batch.rays[k], batch.records[k]);
         },
@@ -133,7 +156,7 @@ bool Freeform::meets_no_more(const Ray& ray, double from, double to) const
 
 bool Freeform::contains(const glm::dvec3& p) const
 {
-    return std::visit([&](const auto& kind) { return kind.contains(frame.inverse_point(p)); }, shape->kind);
+    return std::visit([&](const auto& kind) { return kind.contains(into(kind, frame, p)); }, shape->kind);
 }
 
 bool Freeform::contains_inverted(const glm::dvec3& p) const
@@ -142,7 +165,7 @@ bool Freeform::contains_inverted(const glm::dvec3& p) const
         [&](const auto& kind) {
             if constexpr (requires { kind.contains_inverted(p); })
                 return kind.contains_inverted(frame.inverse_point(p));
-            else return !kind.contains(frame.inverse_point(p));
+            else return !kind.contains(into(kind, frame, p));
         },
         shape->kind);
 }
@@ -153,7 +176,7 @@ glm::dvec3 Freeform::normal(const glm::dvec3& p, std::uint32_t face) const
         [&](const auto& kind) {
             if constexpr (requires { kind.world_gradient(frame, p, face); })
                 return unit_or_x(kind.world_gradient(frame, frame.inverse_point(p), face));
-            else return unit_or_x(frame.normal(kind.gradient(frame.inverse_point(p), face)));
+            else return unit_or_x(frame.normal(kind.gradient(into(kind, frame, p), face)));
         },
         shape->kind);
 }

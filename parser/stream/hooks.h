@@ -41,7 +41,7 @@ public:
 
     /// Questions to a declared object; nullopt: cannot be answered (the stream makes it an error at the call).
     virtual std::optional<ObjectHit> trace(const std::shared_ptr<const scene::Object>&, const glm::dvec3& /*origin*/,
-                                           const glm::dvec3& /*direction, unit length*/)
+                                           const glm::dvec3& /*direction of any length*/)
     {
         return std::nullopt;
     }

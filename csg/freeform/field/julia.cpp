@@ -47,6 +47,11 @@ glm::dvec4 Julia::plain_start(const glm::dvec3& p) const
     return q;
 }
 
+double Julia::size(const glm::dvec4& q) const
+{
+    return terms_.function == Function::HyperSquare ? julia::norm<true>(q) : julia::norm(q);
+}
+
 bool Julia::stays(const glm::dvec3& p) const
 {
     glm::dvec4 q = plain_start(p);
@@ -79,7 +84,7 @@ Julia::Orbit Julia::follow(glm::dvec4 q) const
         q = next + terms_.constant;
     }
     const glm::dvec4 n = terms_.function == Function::HyperSquare ? factor * q : q;  // POV-Ray forgets it for the cube
-    return {k < terms_.iterations, julia::norm(q), growth(v, n)};
+    return {k < terms_.iterations, size(q), growth(v, n)};
 }
 
 Julia::March Julia::look_quaternion(const glm::dvec3& p) const
@@ -109,10 +114,18 @@ Julia::March Julia::look(const glm::dvec3& p, const glm::dvec3& way) const
     return {false, guess ? size / fall : step_};
 }
 
-void Julia::intersect(const Ray& ray, IntersectionList& out) const
+glm::dvec3 Julia::into(const Transform& frame, const glm::dvec3& point) const
+{
+    // From far away the sum would cost the digits that the difference keeps.
+    const double far = julia::kManyRadii * radius_;
+    if (!(glm::dot(frame.inverse_offset, frame.inverse_offset) < far * far)) return frame.inverse_point(point);
+    return frame.inverse_linear * point + frame.inverse_offset;
+}
+
+void Julia::intersect(const Ray& ray, IntersectionList& out, bool moved) const
 {
     if (whole()) return intersect_whole(ray, out);
-    const julia::Way way(ray, radius_, out);
+    const julia::Way way(ray, moved, radius_, out);
     if (!way.meets) return;
     const Ray& unit = way.unit;
     double t = way.begin;

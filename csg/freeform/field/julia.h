@@ -50,9 +50,13 @@ public:
     explicit Julia(const JuliaTerms& terms);
 
     const JuliaTerms& terms() const { return terms_; }
-    void intersect(const Ray& ray, IntersectionList& out) const;
+    /// A point in the set's own space. Orbits, and where the way of a ray begins, are a matter of the last bits:
+    /// POV-Ray's.
+    glm::dvec3 into(const Transform& frame, const glm::dvec3& point) const;
+    /// `moved`: the ray comes through a transformation, after which POV-Ray scales its direction to unit length.
+    void intersect(const Ray& ray, IntersectionList& out, bool moved = false) const;
     bool intersects_many() const { return terms_.function != JuliaTerms::Function::Reciprocal && !whole(); }
-    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out, bool moved = false) const;
     bool contains(const glm::dvec3& p) const;
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
     Aabb bounds() const { return {glm::dvec3(-radius_), glm::dvec3(radius_)}; }
@@ -74,7 +78,8 @@ private:
     bool quaternion() const { return terms_.function <= JuliaTerms::Function::Cube; }
     glm::dvec4 lifted(const glm::dvec3& p) const { return {p, offset_ - glm::dot(tilt_, p)}; }
     glm::dvec4 plain_start(const glm::dvec3& p) const;
-    bool gone(const glm::dvec4& q) const { return !(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w <= escape_); }
+    double size(const glm::dvec4& q) const;  ///< squared
+    bool gone(const glm::dvec4& q) const { return !(size(q) <= escape_); }
     bool stays(const glm::dvec3& p) const;
     March look(const glm::dvec3& p, const glm::dvec3& way) const;
     March look_quaternion(const glm::dvec3& p) const;

@@ -28,10 +28,10 @@ public:
     Ahead(const Julia& set, Orbits& orbits) : set_(set), orbits_(orbits) {}
 
     void add(const March& march) { marches_[count_++] = march; }
-    void begin(const Ray& ray, IntersectionList& out)
+    void begin(const Ray& ray, bool moved, IntersectionList& out)
     {
         March& m = marches_[count_];
-        m.way = julia::Way(ray, set_.radius_, out);
+        m.way = julia::Way(ray, moved, set_.radius_, out);
         m.out = &out;
         m.t = m.way.begin;
         m.phase = Phase::First;

@@ -134,7 +134,13 @@ inline Complex<T> value(JuliaTerms::Function f, const Complex<T>& v, const glm::
 }
 
 /// |q|^2, added up in POV-Ray's order: the last bit decides whether a ray that comes in on the set finds it there.
-inline double norm(const glm::dvec4& q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
+/// Squares of hypercomplex numbers have an order of their own (spec 5b, 12.2).
+template <bool Squares = false>
+inline auto norm(const auto& q)
+{
+    if constexpr (Squares) return q.y * q.y + q.z * q.z + q.x * q.x + q.w * q.w;
+    else return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
 
 /// The hypercomplex product, which commutes.
 inline glm::dvec4 product(const glm::dvec4& a, const glm::dvec4& b)

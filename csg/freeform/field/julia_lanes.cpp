@@ -11,7 +11,9 @@ namespace csg {
 /// their orbits together. A lane whose ray is done takes the next one.
 class Julia::Lanes {
 public:
-    Lanes(const Julia& set, std::span<const Ray> rays, IntersectionList* out) : set_(set), rays_(rays), out_(out) {}
+    Lanes(const Julia& set, std::span<const Ray> rays, bool moved, IntersectionList* out)
+        : set_(set), rays_(rays), moved_(moved), out_(out)
+    {}
 
     void run()
     {
@@ -43,7 +45,7 @@ private:
         leave(lane);
         while (next_ray_ < rays_.size()) {
             const std::size_t k = next_ray_++;
-            const julia::Way way(rays_[k], set_.radius_, out_[k]);
+            const julia::Way way(rays_[k], moved_, set_.radius_, out_[k]);
             if (!way.meets) continue;
             orbits_.set_ray(lane, way.unit);
             t_[lane] = way.begin, end_[lane] = way.end, nearest_[lane] = way.nearest;
@@ -197,6 +199,7 @@ private:
     const Julia& set_;
     Orbits orbits_{set_};
     std::span<const Ray> rays_;
+    bool moved_;
     IntersectionList* out_;
     std::size_t next_ray_ = 0;
     Mask first_ = 0, second_ = 0, stepping_ = 0, halving_ = 0;  ///< what a lane looks for; none: it has no ray
@@ -209,12 +212,12 @@ private:
     std::array<March, kRays> marches_;
 };
 
-void Julia::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+void Julia::intersect_many(std::span<const Ray> rays, IntersectionList* out, bool moved) const
 {
-    if (rays.size() > Ahead::kMostRays) return Lanes(*this, rays, out).run();
+    if (rays.size() > Ahead::kMostRays) return Lanes(*this, rays, moved, out).run();
     Orbits orbits(*this);
     Ahead few(*this, orbits);
-    for (std::size_t k = 0; k < rays.size(); ++k) few.begin(rays[k], out[k]);
+    for (std::size_t k = 0; k < rays.size(); ++k) few.begin(rays[k], moved, out[k]);
     few.run();
 }
 

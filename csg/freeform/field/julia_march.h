@@ -14,14 +14,14 @@ inline constexpr double kNearest =
 // Of a set so large that kNearest is more than this in the world, a crossing is closed in on as far, or until the
 // digits end: else rays would meet their own start.
 inline constexpr double kFinest = 1e-5, kLeast = 1e-15;
-inline constexpr double kUnit = 1e-15;  // a direction whose length is as near to 1 is taken as it is
+inline constexpr double kManyRadii = 1e5;  // so far away 1e-11 of the radius is left
+inline constexpr double kUnit = 1e-15;     // a direction of the world whose length is as near to 1 is taken as it is
 inline constexpr double kLeastSlope = -1e-8, kLeastGuess = 1.0, kMostGuess = 30.0;
 
 /// From far away the steps would be shorter than the last digit of the parameter: such a ray is taken from beside the
 /// set, to which it is moved with one rounding. How far along it that is.
 inline double move_near(double radius, Ray& ray)
 {
-    constexpr double kManyRadii = 1e5;  // of the radius: 1e-11 of it is left
     if (!(glm::dot(ray.origin, ray.origin) > kManyRadii * kManyRadii * radius * radius)) return 0.0;
     const double t = -glm::dot(ray.origin, ray.direction);
     if (!(std::abs(t) < kInfinity)) return 0.0;
@@ -38,11 +38,12 @@ struct Way {
     bool meets = false;
 
     Way() = default;
-    Way(const Ray& ray, double radius, const IntersectionList& asked)
+    /// `moved`: through a transformation, as in Julia::intersect().
+    Way(const Ray& ray, bool moved, double radius, const IntersectionList& asked)
         : unit(ray), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
     {
-        if (std::abs(length - 1.0) < kUnit) length = 1.0;
-        unit.direction = ray.direction / length;
+        if (!moved && std::abs(length - 1.0) < kUnit) length = 1.0;
+        unit.direction = ray.direction * (1.0 / length);
         start = move_near(radius, unit);
         // Whether a ray that comes in on the set finds it there is a matter of the last bit: this is POV-Ray's formula.
         const double foot = -glm::dot(unit.origin, unit.direction),

@@ -73,7 +73,6 @@ public:
 private:
     struct Four {
         Double x, y, z, w;
-        Double norm() const { return x * x + y * y + z * z + w * w; }
     };
     static void pick(const Bool& which, const Four& a, Four& b)
     {
@@ -88,6 +87,11 @@ private:
         for (int v = 0; v < V; ++v) q[v] = point(v, load(places, v));
         const Double cx(set_.terms_.constant.x), cy(set_.terms_.constant.y), cz(set_.terms_.constant.z),
             cw(set_.terms_.constant.w);
+        const auto square = [&](const Four& p, Four& rate) {
+            rate = p;
+            const Four s = product(p, p);
+            return Four{s.x + cx, s.y + cy, s.z + cz, s.w + cw};
+        };
         switch (set_.terms_.function) {
         case JuliaTerms::Function::Square:
             return quaternions<V>(q, asked, stepping, 2.0, [&](const Four& p) {
@@ -102,17 +106,12 @@ private:
                 return Four{p.x * (square - Double(3.0) * n) + cx, p.y * other + cy, p.z * other + cz,
                             p.w * other + cw};
             });
-        case JuliaTerms::Function::HyperSquare:
-        case JuliaTerms::Function::HyperCube:
-            return hypercomplex<V>(q, asked, stepping, [&](const Four& p, Four& rate) {
-                rate = p;
-                const Four s = product(p, p);
-                return Four{s.x + cx, s.y + cy, s.z + cz, s.w + cw};
-            });
+        case JuliaTerms::Function::HyperSquare: return hypercomplex<V, true>(q, asked, stepping, square);
+        case JuliaTerms::Function::HyperCube: return hypercomplex<V, false>(q, asked, stepping, square);
         default:
             // As Julia::plain_start() has it.
             for (int v = 0; set_.terms_.extruded && v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
-            return hypercomplex<V>(q, asked, stepping, [&](const Four& p, Four& rate) {
+            return hypercomplex<V, false>(q, asked, stepping, [&](const Four& p, Four& rate) {
                 rate = julia::by_parts(set_.terms_.function, p, set_.terms_.exponent);
                 return Four{rate.x + cx, rate.y + cy, rate.z + cz, rate.w + cw};
             });
@@ -153,7 +152,7 @@ private:
         for (int k = 0; k < set_.terms_.iterations; ++k) {
             scale *= power;
             for (int v = 0; v < V; ++v) {
-                const Double size = q[v].norm();
+                const Double size = julia::norm(q[v]);
                 size_at[v] = xsimd::select(in[v], size, size_at[v]);
                 scale_at[v] = xsimd::select(in[v], Double(scale), scale_at[v]);
                 in[v] = in[v] & (size <= escape);
@@ -197,7 +196,7 @@ private:
     }
 
     /// Julia::look() by hypercomplex orbits and their derivatives.
-    template <int V, class Next>
+    template <int V, bool Squares, class Next>
     Mask hypercomplex(Four (&q)[V], Mask asked, Mask stepping, Next&& next)
     {
         const Double one(1.0), escape(set_.escape_), step(set_.step_);
@@ -213,7 +212,7 @@ private:
         Mask staying = asked;
         double factor = 2.0;
         for (int k = 0; k < set_.terms_.iterations; ++k) {
-            for (int v = 0; v < V; ++v) in[v] = in[v] & (q[v].norm() <= escape);
+            for (int v = 0; v < V; ++v) in[v] = in[v] & (julia::norm<Squares>(q[v]) <= escape);
             staying = lanes_in(in);
             if (staying == 0 || k + 1 == set_.terms_.iterations) break;
             if (k > 0) factor *= 2.0;
@@ -240,7 +239,7 @@ private:
                          gy = -s.y * n.x + s.x * n.y - s.w * n.z + s.z * n.w,
                          gz = -s.z * n.x - s.w * n.y + s.x * n.z + s.y * n.w;
             const Double along = gx * load(dx_, v) + gy * load(dy_, v) + gz * load(dz_, v), fall = Double(-2.0) * along,
-                         size = q[v].norm();
+                         size = julia::norm<Squares>(q[v]);
             const Bool guess = (along < Double(julia::kLeastSlope)) &
                                (size > Double(julia::kLeastGuess) * step * fall) &
                                (size < Double(julia::kMostGuess) * step * fall);

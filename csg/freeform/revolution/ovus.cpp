@@ -4,6 +4,8 @@
 #include "csg/solids/shared/slab.h"
 #include "numbers/functions/functions.h"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace csg {
@@ -52,7 +54,8 @@ Ovus::Ovus(double bottom, double top, double distance, double arc)
     const double b = arc - bottom, t = arc - top;
     height_ = ((b - t) * (b + t) / distance + distance) / 2.0;
     offset_ = std::sqrt(glm::max((b - height_) * (b + height_), 0.0));
-    if (top > bottom) height_ = distance + std::abs(distance - height_);
+    stepped_ = top > bottom && height_ < distance;
+    if (stepped_) height_ = 2.0 * distance - height_;
     low_ = -height_ * bottom / b;
     high_ = distance + (distance - height_) * top / t;
 }
@@ -85,6 +88,51 @@ bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, doubl
     return approach(from, to, 1.0) && (!both || approach(to, from, -1.0));
 }
 
+/// Where the arc begins on the axis.
+double Ovus::tip() const { return height_ - std::sqrt((arc_ - offset_) * (arc_ + offset_)); }
+
+/// What the spheres and the arc hold together; crossings that are drawn though one of the others holds them bound
+/// nothing.
+void Ovus::intersect_stepped(const glm::dvec3& o, const glm::dvec3& e, double shift, double length,
+                             IntersectionList& out) const
+{
+    std::array<Interval, 3> parts;
+    std::size_t count = 0;
+    const auto ball = [&](double middle, double radius, auto&& face_at) {
+        double from = -kInfinity, to = kInfinity;
+        if (in_sphere(o, e, {0.0, middle, 0.0}, radius, from, to))
+            parts[count++] = {from, to, face_at(o.y + from * e.y), face_at(o.y + to * e.y)};
+    };
+    ball(0.0, bottom_, [&](double y) { return y < low_ ? kBelow : kUndrawnFace; });
+    ball(distance_, top_, [&](double y) { return y > high_ ? kAbove : kUndrawnFace; });
+    Interval zone;
+    double from = -kInfinity, to = kInfinity;
+    if (slab(o.y, e.y, glm::max(low_, tip()), high_, zone) &&
+        in_sphere(o, e, {0.0, 0.5 * distance_, 0.0}, bottom_ + 0.5 * distance_ + top_, from, to)) {
+        const double begin = glm::max(zone.entry, from), end = glm::min(zone.exit, to);
+        double in = begin, leave = end;
+        if (begin <= end && between(o, e, in, leave, true))
+            parts[count++] = {in, leave, in > begin ? kBetween : kUndrawnFace, leave < end ? kBetween : kUndrawnFace};
+    }
+    std::sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
+              [](const Interval& a, const Interval& b) { return a.entry < b.entry; });
+    const auto world = [&](double s) { return (shift + s) / length; };
+    const double slack = 1e-12 * arc_;  // two that touch are one
+    for (std::size_t i = 0; i < count;) {
+        Interval all = parts[i];
+        for (++i; i < count && parts[i].entry <= all.exit + slack; ++i) {
+            Interval& next = parts[i];
+            if (next.exit > all.exit) {
+                std::swap(next.exit, all.exit);
+                std::swap(next.exit_face, all.exit_face);
+            }
+            out.touch(world(next.entry), next.entry_face);
+            out.touch(world(next.exit), next.exit_face);
+        }
+        if (!out.enter(world(all.entry), all.entry_face) || !out.leave(world(all.exit), all.exit_face)) return;
+    }
+}
+
 void Ovus::intersect(const Ray& ray, IntersectionList& out) const
 {
     const double length = std::sqrt(glm::dot(ray.direction, ray.direction));
@@ -92,6 +140,7 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
     const glm::dvec3 e = ray.direction / length, middle(0.0, 0.5 * distance_, 0.0);
     const double shift = -glm::dot(ray.origin - middle, e);
     const glm::dvec3 o = ray.origin + shift * e;  // near the middle
+    if (stepped_) return intersect_stepped(o, e, shift, length, out);
     double from = -kInfinity, to = kInfinity;
     if (!in_sphere(o, e, middle, bottom_ + 0.5 * distance_ + top_, from, to)) return;
 
@@ -99,8 +148,7 @@ void Ovus::intersect(const Ray& ray, IntersectionList& out) const
     // `wanted` is enough where one crossing is; a little more, so that rounding cannot make it none.
     const double start = out.from * length, slack = 1e-12 * (std::abs(start) + std::abs(shift) + arc_);
     const double wanted = out.first_only ? start - shift + slack : kInfinity;
-    const double tip = height_ - std::sqrt((arc_ - offset_) * (arc_ + offset_));  // where the arc begins on the axis
-    const double low[] = {-kInfinity, high_, glm::max(low_, tip)}, high[] = {low_, kInfinity, high_};  // by face
+    const double low[] = {-kInfinity, high_, glm::max(low_, tip())}, high[] = {low_, kInfinity, high_};  // by face
     Interval found{kInfinity, -kInfinity};
     const auto zone = [&](std::uint32_t face) {
         Interval part;

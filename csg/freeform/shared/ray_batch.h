@@ -22,6 +22,15 @@ concept IntersectsMany = requires(const T& shape, std::span<const Ray> rays, Int
     shape.intersect_many(rays, out);
 };
 
+/// A shape whose crossings are a matter of the last bits of a ray: it takes points into its space itself, and rays that
+/// come through a transformation otherwise than those that do not.
+template <class T>
+concept OfLastBits = requires(const T& shape, const Transform& frame, const Ray& ray, IntersectionList& out)
+{
+    shape.into(frame, ray.origin);
+    shape.intersect(ray, out, true);
+};
+
 /// Rays of a tile that one solid is asked for together, and what it tells of each.
 struct RayBatch {
     std::array<Ray, kTileRays> rays;

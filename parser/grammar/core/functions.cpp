@@ -79,7 +79,11 @@ std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm:
 {
     if (is_unsupported(object, "trace()")) return ObjectHit{};
     SceneQueries* asked = queries();
-    return asked ? std::optional(asked->trace(object, origin, direction, description)) : std::nullopt;
+    if (!asked) return std::nullopt;
+    // 3.7 multiplies by the reciprocal of the length, 3.8 divides: a chain of rays that begin where others end tells.
+    const bool multiplies = stream_->povray() == scene::PovRay::V37;
+    const glm::dvec3 unit = multiplies ? glm::normalize(direction) : direction / glm::length(direction);
+    return asked->trace(object, origin, unit, description);
 }
 
 std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dvec3& point)

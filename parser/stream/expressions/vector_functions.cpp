@@ -51,7 +51,7 @@ glm::dvec3 read_trace(TokenStream& stream, const Token& word)
         if (!old || old->count != 3)
             stream.fail(stream.place(name), "expected a declared vector that takes the normal");
     }
-    const auto answer = stream.hooks().trace(object, origin, glm::normalize(direction));
+    const auto answer = stream.hooks().trace(object, origin, direction);
     if (!answer) stream.fail(stream.place(word), "trace() of this object is not available yet");
     if (normal) *normal = Tuple::of(answer->hit ? answer->normal : glm::dvec3(0.0));
     return answer->hit ? answer->point : glm::dvec3(0.0);

@@ -73,7 +73,7 @@ const Op* trace(const Op* op, Machine& m)
     const auto* const asked = meant<std::shared_ptr<const scene::Object>>(m, op->a);
     if (!asked || (stores && !(*asked)->drawn())) return m.leave(op);
     double* const at = m.registers + op->to;
-    const auto answer = m.hooks.trace(*asked, at3(at), glm::normalize(at3(at + 3)));
+    const auto answer = m.hooks.trace(*asked, at3(at), at3(at + 3));
     if (!answer) return m.leave(op);
     put3(at, answer->hit ? answer->point : glm::dvec3(0.0));
     if (stores) {

@@ -150,8 +150,13 @@ TEST_CASE("an egg with an arc of its own is where POV-Ray 3.8 has it", "[csg][ov
 TEST_CASE("an egg with the larger sphere on top has POV-Ray 3.8's arc", "[csg][ovus]")
 {
     const Freeform solid{make_freeform<Ovus>(0.4, 0.7, 1.2, 1.7), {}};
-    const double told[][4] = {{0.2, -0.130519, -0.635551, -0.772059},
-                              {0.9, -0.635908, -0.932839, -0.360294},
+    // At 0.2 the ball, which is not drawn there, holds the arc.
+    IntersectionList within(0.0, kInfinity, false);
+    solid.intersect(Ray{{-9, 0.2, 0}, {1, 0, 0}}, within);
+    double arc = kInfinity;
+    within.each_touching([&](double t, std::uint32_t) { arc = std::min(arc, t); });
+    CHECK(arc == Approx(9.0 - 0.130519).margin(1e-6));
+    const double told[][4] = {{0.9, -0.635908, -0.932839, -0.360294},
                               {1.0, -0.670820, -0.958315, -0.285714},
                               {1.7, -0.489898, -0.699854, 0.714286}};
     for (const auto& [y, x, nx, ny] : told) {
@@ -160,18 +165,27 @@ TEST_CASE("an egg with the larger sphere on top has POV-Ray 3.8's arc", "[csg][o
         CHECK(normal.x == Approx(nx).margin(1e-6));
         CHECK(normal.y == Approx(ny).margin(1e-6));
     }
-    // Of the first sphere nothing is met, though it is inside.
+    // Of the first sphere nothing is met, though it is inside: what CSG makes of the egg holds it.
     for (const double y : {-0.3, 0.0}) {
         FixedSpans<8> spans;
         solid.intersect(Ray{{-9, y, 0}, {1, 0, 0}}, spans);
-        CHECK(spans.empty());
+        REQUIRE(spans.size() == 1);
+        CHECK((!spans[0].in.drawn() && !spans[0].out.drawn()));
+        CHECK(spans[0].in.t == Approx(9.0 - std::sqrt(0.16 - y * y)));
         CHECK(solid.contains({0, y, 0}));
     }
+    check_spans(solid, {0, 0.7, 0}, [&](const glm::dvec3& p) { return solid.contains(p); });
     // A step: the ball ends where the arc begins.
     const auto from_below = [](double x) {
-        FixedSpans<8> spans;
-        Freeform{make_freeform<Ovus>(0.5, 0.65, 0.5, 1.3), {}}.intersect(Ray{{x, -9, 0}, {0, 1, 0}}, spans);
-        return spans[0].in.t - 9.0;
+        IntersectionList told(0.0, kInfinity, false);
+        Freeform{make_freeform<Ovus>(0.5, 0.65, 0.5, 1.3), {}}.intersect(Ray{{x, -9, 0}, {0, 1, 0}}, told);
+        double nearest = kInfinity;
+        const auto met = [&](double t, std::uint32_t face) {
+            if (face != kUndrawnFace) nearest = std::min(nearest, t);
+        };
+        told.each_span([&](double in, std::uint32_t face, double, std::uint32_t) { met(in, face); });
+        told.each_touching(met);
+        return nearest - 9.0;
     };
     CHECK(from_below(0.37) == Approx(-0.33630).margin(1e-5));
     CHECK(from_below(0.38) == Approx(-0.26171).margin(1e-5));

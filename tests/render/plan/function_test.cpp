@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -132,5 +133,57 @@ TEST_CASE("trace and inside answer in a loop as outside of one", "[plan][functio
         const std::string told = debug_of(unrolled);
         CHECK(told.size() > 8);
         CHECK(debug_of(head + "#while (I<4) " + body + " #declare I=I+1; #end") == told);
+    }
+}
+
+// The last bit of a ray tells whether its first look, on the sphere around the set, is within: the steps begin
+// otherwise.
+TEST_CASE("a julia's steps begin where POV-Ray's do", "[plan][julia]")
+{
+    const struct {
+        std::string function, moved, ray;
+        glm::dvec3 met37, met38;
+    } rows[] = {
+        {"sqr",
+         "",
+         "<.764,-3.736,-4.632>,<-.692,3.651,4.299>",
+         {0.12022783796694822, -0.339450630660879, -0.6326119586992917},
+         {0.12022783796694822, -0.339450630660879, -0.6326119586992917}},
+        {"sqr",
+         "",
+         "<-2.788,.474,5.292>,<1.847,.122,-4.578>",
+         {-0.7019702500599037, 0.6117886461790426, 0.12153752288805594},
+         {-0.7019702415569067, 0.6117886467406913, 0.12153750181240867}},
+        {"sqr",
+         "rotate <10,95,-53>",
+         "<-.23,-5.961,-.644>,<-.677,6.253,.508>",
+         {-0.8255692911628629, -0.4601214510467097, -0.19710310205209144},
+         {-0.8255692911628629, -0.4601214510467097, -0.19710310205209144}},
+    };
+    for (const auto& row : rows) {
+        INFO(row.function << ' ' << row.moved << ' ' << row.ray);
+        for (const scene::PovRay version : {scene::PovRay::V37, scene::PovRay::V38}) {
+            parser::Options options;
+            options.povray = version;
+            const std::string told = debug_of("#declare J=julia_fractal{<-.2,.3,-.2,.1> hypercomplex " + row.function +
+                                                  " max_iteration 6 precision 23 " + row.moved +
+                                                  "} #declare P=trace(J," + row.ray + "); #debug vstr(3,P,\" \",0,15)",
+                                              options);
+            std::istringstream from(told);
+            glm::dvec3 met(0.0);
+            from >> met.x >> met.y >> met.z;
+            CHECK(glm::distance(met, version == scene::PovRay::V37 ? row.met37 : row.met38) < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("a julia is turned inside out from POV-Ray 3.8 on", "[plan][julia]")
+{
+    for (const scene::PovRay version : {scene::PovRay::V37, scene::PovRay::V38}) {
+        parser::Options options;
+        options.povray = version;
+        CHECK(debug_of("#declare J=julia_fractal{<-.2,.3,-.2,.1> hypercomplex sqr max_iteration 6 inverse} #debug "
+                       "concat(str(inside(J,0),0,0),str(inside(J,1.5*x),0,0))",
+                       options) == (version == scene::PovRay::V37 ? "10" : "01"));
     }
 }
