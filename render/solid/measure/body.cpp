@@ -148,8 +148,9 @@ void item_chords(const csg::WorldData& world, const csg::WorldItem& item, const 
             solid.spans(ray, item.inverted, spans);
             stamped(spans);
         } else {
+            // Kept: to clear room for the spans of an isosurface costs as much as many a line through one.
             constexpr std::uint32_t kMost = std::max(csg::most_plain_spans<T>(), kFewSpans);
-            csg::Span memory[kMost], other[kMost + 1];
+            thread_local csg::Span memory[kMost], other[kMost + 1];
             csg::SpanList spans(memory, kMost), beyond(other, kMost + 1);
             if constexpr (std::is_same_v<T, csg::Freeform>) {
                 if (solid.surface()) return;
@@ -161,6 +162,22 @@ void item_chords(const csg::WorldData& world, const csg::WorldItem& item, const 
             stamped(item.inverted ? beyond : spans);
         }
     });
+}
+
+/// Whether a part of a line passes through a box, or not farther from it than `room`.
+bool meets(const csg::Aabb& box, const csg::Ray& ray, double from, double to, double room)
+{
+    for (int k = 0; k < 3; ++k) {
+        const double low = box.lower[k] - room - ray.origin[k], high = box.upper[k] + room - ray.origin[k];
+        if (ray.direction[k] == 0.0) {
+            if (low > 0.0 || high < 0.0) return false;
+            continue;
+        }
+        const double a = low / ray.direction[k], b = high / ray.direction[k];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    return from <= to;
 }
 
 /// Chords of several items as those of their union, without films.
@@ -186,7 +203,10 @@ Body::Body(const scene::Object& object, const scene::GlobalSettings& global)
     : probe_(sharpened(object), global), unsmooth_(has_unsmooth(object))
 {
     const csg::WorldData& world = probe_.world().data();
-    for (const csg::WorldItem& item : world.items) bounds_.include(inside_box(world, item));
+    for (const csg::WorldItem& item : world.items) {
+        boxes_.push_back(inside_box(world, item));
+        bounds_.include(boxes_.back());
+    }
     if (bounds_.empty() || !bounds_.finite()) return;
     middle_ = 0.5 * (bounds_.lower + bounds_.upper);
     radius_ = 0.5 * glm::length(bounds_.upper - bounds_.lower);
@@ -202,9 +222,11 @@ void Body::chords(const glm::dvec3& point, const glm::dvec3& direction, double f
     const double back = ends ? glm::dot(point - middle_, direction) + 1.1 * radius_ : -from;
     const csg::Ray ray{point - back * direction, direction};
     const csg::WorldData& world = probe_.world().data();
-    for (const csg::WorldItem& item : world.items)
-        item_chords(world, item, ray, std::max(0.0, from + back), ends ? std::min(to + back, 3.0 * radius_) : to + back,
-                    scratch, csg::Hit::kNoInstance, 1.0, out);
+    const double first = std::max(0.0, from + back), last = ends ? std::min(to + back, 3.0 * radius_) : to + back;
+    const bool many = world.items.size() > 1;
+    for (std::size_t i = 0; i < world.items.size(); ++i)
+        if (!many || meets(boxes_[i], ray, first - slack_, last + slack_, slack_))
+            item_chords(world, world.items[i], ray, first, last, scratch, csg::Hit::kNoInstance, 1.0, out);
     unite(out, slack_);
     for (Chord& chord : out) {
         chord.in.t -= back;

@@ -62,6 +62,7 @@ public:
 private:
     plan::ObjectProbe probe_;
     csg::Aabb bounds_;
+    std::vector<csg::Aabb> boxes_;  ///< around the inside of each item
     glm::dvec3 middle_{0.0};
     double radius_ = 0.0;  ///< of a sphere about middle_ that holds the box, where that is finite
     double slack_ = 0.0;

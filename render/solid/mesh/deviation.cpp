@@ -69,9 +69,12 @@ public:
         const glm::ivec3 here = cell(p);
         double best = csg::kInfinity;
         const int most = std::max(count_[0], std::max(count_[1], count_[2]));
+        const glm::dvec3 within = p - (origin_ + step_ * glm::dvec3(here));
+        const double border = std::max(0.0, std::min(least(within), step_ - most_of(within)));
         for (int ring = 0; ring <= most; ++ring) {
             // What lies in rings beyond is farther than the room up to them.
-            if (ring > 0 && best <= (ring - 1) * step_ * (ring - 1) * step_) break;
+            const double room = border + (ring - 1) * step_;
+            if (ring > 0 && best <= room * room) break;
             for (int z = here.z - ring; z <= here.z + ring; ++z)
                 for (int y = here.y - ring; y <= here.y + ring; ++y)
                     for (int x = here.x - ring; x <= here.x + ring; ++x) {
@@ -79,6 +82,7 @@ public:
                             ring)
                             continue;
                         if (x < 0 || y < 0 || z < 0 || x >= count_[0] || y >= count_[1] || z >= count_[2]) continue;
+                        if (ring > 0 && room_to({x, y, z}, p) >= best) continue;
                         const std::size_t c = at(x, y, z);
                         for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
                             const auto& t = mesh_.triangles[items_[i]];
@@ -91,6 +95,15 @@ public:
     }
 
 private:
+    static double least(const glm::dvec3& v) { return glm::min(v.x, glm::min(v.y, v.z)); }
+    static double most_of(const glm::dvec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
+    /// The square of the distance between a cell and a place.
+    double room_to(const glm::ivec3& at, const glm::dvec3& p) const
+    {
+        const glm::dvec3 low = origin_ + step_ * glm::dvec3(at);
+        const glm::dvec3 off = p - glm::clamp(p, low, low + step_);
+        return glm::dot(off, off);
+    }
     glm::ivec3 cell(const glm::dvec3& p) const
     {
         glm::ivec3 out;
@@ -123,6 +136,7 @@ private:
 double off_body(const Body& body, const glm::dvec3& p, const glm::dvec3& normal, double reach, double wanted,
                 std::vector<Chord>& chords)
 {
+    constexpr double kNear = 4.0;
     double best = reach;
     const auto look = [&](const glm::dvec3& along) {
         body.chords(p, along, -best, best, chords);
@@ -130,8 +144,13 @@ double off_body(const Body& body, const glm::dvec3& p, const glm::dvec3& normal,
             for (const End* end : {&chord.in, &chord.out})
                 if (std::abs(end->t) < best) best = std::abs(end->t);
     };
+    best = std::min(reach, kNear * wanted);  // mostly it is near, and a short part of a line is followed sooner
     look(normal);
-    for (int axis = 0; axis < 3 && best > 0.1 * wanted; ++axis) {
+    if (best < reach && best >= kNear * wanted) {
+        best = reach;
+        look(normal);
+    }
+    for (int axis = 0; axis < 3 && best > wanted; ++axis) {
         glm::dvec3 along(0.0);
         along[axis] = 1.0;
         look(along);

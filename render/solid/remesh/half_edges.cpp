@@ -1,6 +1,7 @@
 #include "render/solid/remesh/half_edges.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace solid {
@@ -9,6 +10,7 @@ bool HalfEdges::take(const TriangleMesh& mesh)
 {
     places.assign(mesh.vertices.begin(), mesh.vertices.end());
     facing.assign(mesh.triangles.size(), glm::dvec3(0.0));
+    alive_ = mesh.triangles.size();
     tails_.clear();
     for (const auto& t : mesh.triangles) tails_.insert(tails_.end(), t.begin(), t.end());
     twins_.assign(tails_.size(), kNone);
@@ -104,6 +106,7 @@ HalfEdges::Index HalfEdges::split(Index h, const glm::dvec3& place)
     sharp_[f + 1] = s_hn, sharp_[g + 1] = s_tn;
     outs_.push_back(f);
     outs_[u] = h, outs_[v] = t, outs_[w] = f + 2, outs_[x] = g + 2;
+    alive_ += 2;
     return m;
 }
 
@@ -128,8 +131,49 @@ void HalfEdges::collapse(Index h)
     sharp_[a] = sharp_[b] = sharp_[a] | sharp_[b];
     sharp_[c] = sharp_[d] = sharp_[c] | sharp_[d];
     for (const Index first : {h - h % 3, t - t % 3}) tails_[first] = tails_[first + 1] = tails_[first + 2] = kNone;
+    alive_ -= 2;
     outs_[u] = kNone;
     outs_[v] = b, outs_[w] = a, outs_[x] = c;
+}
+
+
+void HalfEdges::add_vertex(const glm::dvec3& place)
+{
+    places.push_back(place);
+    outs_.push_back(kNone);
+}
+
+HalfEdges::Index HalfEdges::replace(const std::vector<Index>& old, const std::vector<std::array<Index, 3>>& made,
+                                    const std::vector<glm::dvec3>& looks)
+{
+    using Ends = std::pair<Index, Index>;
+    std::map<Ends, Index> about, within;  // half-edges that wait for their twin
+    for (const Index f : old)
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) about[{tail(h), head(h)}] = twin(h);
+    for (const Index f : old)
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) outs_[tails_[h]] = kNone;
+    for (const Index f : old) tails_[3 * f] = tails_[3 * f + 1] = tails_[3 * f + 2] = kNone;
+    const auto first = static_cast<Index>(triangles());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const auto f = static_cast<Index>(tails_.size());
+        tails_.insert(tails_.end(), made[i].begin(), made[i].end());
+        twins_.resize(tails_.size(), kNone);
+        sharp_.resize(tails_.size(), 0);
+        facing.push_back(looks[i]);
+        for (Index h = f; h < f + 3; ++h) {
+            outs_[tail(h)] = h;
+            if (const auto own = about.find({tail(h), head(h)}); own != about.end() && has_triangle(own->second / 3)) {
+                sharp_[h] = sharp_[own->second];
+                join(h, own->second);
+            } else if (const auto other = within.find({head(h), tail(h)}); other != within.end()) {
+                join(h, other->second);
+            } else {
+                within[{tail(h), head(h)}] = h;
+            }
+        }
+    }
+    alive_ = alive_ + made.size() - old.size();
+    return first;
 }
 
 }  // namespace solid

@@ -19,6 +19,7 @@ public:
 
     std::size_t vertices() const { return places.size(); }
     std::size_t triangles() const { return tails_.size() / 3; }
+    std::size_t alive() const { return alive_; }  ///< triangles that were not collapsed
     bool has_vertex(Index v) const { return outs_[v] != kNone; }
     bool has_triangle(Index f) const { return tails_[3 * f] != kNone; }
     static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -53,6 +54,12 @@ public:
     /// Nekhayev, Topology preserving edge contraction, 1999).
     bool can_collapse(Index h) const;
     void collapse(Index h);
+    /// A vertex without triangles, numbered last.
+    void add_vertex(const glm::dvec3& place);
+    /// Puts triangles in the place of others that have the same rim; the first of them. Edges between them are not
+    /// sharp.
+    Index replace(const std::vector<Index>& old, const std::vector<std::array<Index, 3>>& made,
+                  const std::vector<glm::dvec3>& looks);
 
     std::vector<glm::dvec3> places;  ///< by vertex
     std::vector<glm::dvec3> facing;  ///< by triangle: the surface's normal about there
@@ -64,6 +71,7 @@ private:
         twins_[b] = a;
     }
 
+    std::size_t alive_ = 0;
     std::vector<Index> tails_, twins_;  ///< by half-edge
     std::vector<std::uint8_t> sharp_;   ///< by half-edge
     std::vector<Index> outs_;           ///< by vertex: a half-edge out of it

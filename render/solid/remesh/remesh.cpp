@@ -17,7 +17,7 @@ constexpr double kFolded = 0.5;                            // cosine of 60 degre
 constexpr double kTurnedAway = 0.906;                      // of 25: edges are looked for again
 constexpr double kLeastLength = 1e-3;                      // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
-constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3;
+constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3, kMends = 4;
 
 }  // namespace
 
@@ -80,9 +80,9 @@ bool Remesher::run()
         tidy_sharp();
         collapse_short();
         split_long();
-        flip_better();
+        flip_better(all_edges());
         move_all(true);
-        flip_better();
+        flip_better(all_edges());
         unfold();
     };
     for (int i = 0; i < kRounds && !overrun_; ++i) {
@@ -101,6 +101,8 @@ bool Remesher::run()
         }
         for (int k = 0; k < kMoreRounds; ++k) round();
     }
+    for (int i = 0; i < kMends && !overrun_ && mend(folded(kFolded)) > 0; ++i)
+        for (int k = 0; k < kMoreRounds; ++k) round();
     move_all(false);
     return !overrun_;
 }

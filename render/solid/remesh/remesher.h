@@ -23,7 +23,7 @@ public:
     /// False where it needs many more triangles than there were: something about the surface is not understood.
     bool run();
     /// Whether a triangle looks away from the surface: the cosine between it and the surface's normal is less.
-    bool any_folded(double cosine) const;
+    bool any_folded(double cosine) const { return !folded(cosine).empty(); }
     TriangleMesh result() const;
 
 private:
@@ -52,10 +52,19 @@ private:
     bool is_longest(Index h) const;
     std::size_t split_long();
     std::size_t collapse_short();
-    std::size_t flip_better();
+    std::vector<Index> all_edges() const;
+    /// Of some edges, and of those about what was flipped.
+    std::size_t flip_better(std::vector<Index> waiting);
     std::size_t unfold();
     bool may_collapse(Index h, bool unfolding) const;
     bool may_flip(Index h) const;
+
+    /// \name mend.cpp: folds that no step unfolds
+    std::vector<Index> folded(double cosine) const;
+    /// How many of them were cut out.
+    std::size_t mend(const std::vector<Index>& folded);
+    bool fill_hole(const std::vector<Index>& triangles, const std::vector<Index>& rim,
+                   const std::vector<std::uint32_t>& cut);
 
     /// \name moves.cpp: places
     struct Move {

@@ -51,6 +51,7 @@ bool Remesher::is_longest(Index h) const
 std::size_t Remesher::split_long()
 {
     std::size_t done = 0;
+    std::vector<Index> touched = all_edges();  // what was collapsed or moved before may be better turned, too
     for (int sweep = 0; sweep < kMostSweeps && !overrun_; ++sweep) {
         std::size_t now = 0;
         const auto count = static_cast<Index>(3 * mesh_.triangles());
@@ -59,18 +60,21 @@ std::size_t Remesher::split_long()
             if (length(h) <= kLong * wanted_length(h) || !is_longest(h)) continue;
             const Index u = mesh_.tail(h), v = mesh_.head(h);
             const bool sharp = mesh_.is_sharp(h);
-            mesh_.split(h, 0.5 * (mesh_.places[u] + mesh_.places[v]));
+            const Index m = mesh_.split(h, 0.5 * (mesh_.places[u] + mesh_.places[v]));
+            mesh_.each_out(m, [&](Index o) {
+                touched.push_back(o);
+                touched.push_back(HalfEdges::next(o));
+            });
             kinds_.push_back(sharp ? Kind::Crease : Kind::Smooth);
             lengths_.push_back(0.5 * (lengths_[u] + lengths_[v]));
             normals_.emplace_back(0.0);
             ++now;
         }
         done += now;
-        std::size_t alive = 0;
-        for (Index f = 0; f < mesh_.triangles(); ++f) alive += mesh_.has_triangle(f) ? 1 : 0;
-        overrun_ = alive > most_triangles_;
+        overrun_ = mesh_.alive() > most_triangles_;
         if (now == 0 || overrun_) break;
-        flip_better();
+        flip_better(std::move(touched));
+        touched.clear();
     }
     return done;
 }
@@ -136,22 +140,28 @@ std::size_t Remesher::unfold()
     return done;
 }
 
-bool Remesher::any_folded(double cosine) const
+std::vector<HalfEdges::Index> Remesher::folded(double cosine) const
 {
+    std::vector<Index> out;
     for (Index f = 0; f < mesh_.triangles(); ++f)
-        if (mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < cosine) return true;
-    return false;
+        if (mesh_.has_triangle(f) && facing_of(cross_at(f), mesh_.facing[f]) < cosine) out.push_back(f);
+    return out;
 }
 
 std::size_t Remesher::collapse_short()
 {
     std::size_t done = 0;
+    std::vector<int> changed(mesh_.vertices(), 0);  // the last sweep in which something about a vertex did
     for (int sweep = 0; sweep < 2 * kMostSweeps; ++sweep) {
         std::size_t now = 0;
         for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
             if (!mesh_.has_triangle(h / 3)) continue;
+            if (changed[mesh_.tail(h)] < sweep && changed[mesh_.head(h)] < sweep) continue;  // it was not to be
             if (length(h) >= kShort * wanted_length(h) || !may_collapse(h, false)) continue;
+            const Index v = mesh_.head(h);
             mesh_.collapse(h);
+            changed[v] = sweep + 1;
+            mesh_.each_out(v, [&](Index o) { changed[mesh_.head(o)] = sweep + 1; });
             ++now;
         }
         done += now;
@@ -179,12 +189,18 @@ bool Remesher::may_flip(Index h) const
     return turned < own - kBetterAngle && mesh_.can_flip(h);
 }
 
-std::size_t Remesher::flip_better()
+std::vector<HalfEdges::Index> Remesher::all_edges() const
+{
+    std::vector<Index> out;
+    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
+        if (mesh_.has_triangle(h / 3) && h < mesh_.twin(h)) out.push_back(h);
+    return out;
+}
+
+std::size_t Remesher::flip_better(std::vector<Index> waiting)
 {
     std::size_t done = 0;
-    std::vector<Index> waiting, next;
-    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
-        if (mesh_.has_triangle(h / 3) && h < mesh_.twin(h)) waiting.push_back(h);
+    std::vector<Index> next;
     for (int sweep = 0; sweep < kMostSweeps && !waiting.empty(); ++sweep) {
         next.clear();
         for (const Index h : waiting) {

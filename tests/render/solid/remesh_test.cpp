@@ -180,3 +180,22 @@ TEST_CASE("crossings are those that every triangle finds with every other", "[so
         CHECK((count < 400 || solid::crossings(mesh) > 20));
     }
 }
+
+// Tetrahedra give these rims handles a few edges wide, whose triangles lie over each other and which no collapse opens.
+TEST_CASE("folds that no step unfolds are cut out", "[solid]")
+{
+    const solid::Body body = body_of(
+        "difference { union { cylinder { <0, 0, 0>, <0, 0.5, 0>, 3 } cone { <0, 0.5, 0>, 1.6, <0, 1.5, 0>, 1.2 } } "
+        "cylinder { <0, -1, 0>, <0, 2, 0>, 0.8 } cylinder { <0, 1.25, 0>, <0, 2, 0>, 0.95 } "
+        "#for (I, 0, 7) cylinder { <2.3, -1, 0>, <2.3, 1, 0>, 0.3 rotate 45 * I * y } #end }");
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = solid::require_extent(body, error, rays);
+    solid::MeshFacts facts;
+    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, solid::RefineOptions{}, facts);
+    REQUIRE(facts.remeshed);
+    CHECK(solid::check(mesh).good());
+    CHECK(solid::crossings(mesh) == 0);
+    CHECK(thin_share(mesh) < 0.01);
+    CHECK(mesh.triangles.size() < 15'000);  // tetrahedra alone give 120,000
+}
