@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numbers/unit_again.h"
+#include "numbers/functions/unit_again.h"
 #include "render/texture/evaluate.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "numbers/unit_again.h"
+#include "numbers/functions/unit_again.h"
 #include "tests/numbers/arguments.h"
 
 #include <catch2/catch.hpp>

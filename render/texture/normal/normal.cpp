@@ -1,4 +1,4 @@
-#include "numbers/unit_again.h"
+#include "numbers/functions/unit_again.h"
 #include "render/texture/points/angle.h"
 #include "render/texture/evaluate_points.h"
 #include "render/texture/noise/nearest_cells.h"
