@@ -20,23 +20,6 @@ struct Target {
     csg::Aabb box;  ///< with some slack; without end where the body has none
 };
 
-/// Where the ray is in the box at or beyond its start; empty (first > second): nowhere.
-std::pair<double, double> in_box(const csg::Aabb& box, const csg::Ray& ray)
-{
-    double first = -csg::kInfinity, last = csg::kInfinity;
-    for (int k = 0; k < 3; ++k) {
-        const double o = ray.origin[k], d = ray.direction[k];
-        if (d == 0.0) {
-            if (o < box.lower[k] || o > box.upper[k]) return {1.0, 0.0};
-            continue;
-        }
-        const double a = (box.lower[k] - o) / d, b = (box.upper[k] - o) / d;
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    return {first, last};
-}
-
 /// Spans of some rays that follow each other.
 struct Run {
     std::vector<std::uint32_t> counts;  ///< by ray
@@ -56,7 +39,7 @@ Run run_of(const std::vector<Target>& targets, const Rays& rays, std::size_t fro
             throw app::OptionError(fmt::format("ray {} has no direction or is no number", i));
         const csg::Ray ray{given.origin, given.direction / length};
         for (std::size_t k = 0; k < targets.size(); ++k) {
-            const auto [first, last] = in_box(targets[k].box, ray);
+            const auto [first, last] = solid::line_in_box(targets[k].box, ray);
             if (!(first <= last) || last < 0.0) continue;
             targets[k].body->chords(ray.origin, ray.direction, targets[k].box.finite() ? first : 0.0, last, chords);
             for (const solid::Chord& chord : chords) {

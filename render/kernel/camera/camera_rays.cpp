@@ -8,6 +8,7 @@
 #include "render/kernel/camera/mesh_camera_ray.h"
 
 #include <cmath>
+#include <utility>
 #include <numbers>
 
 namespace trace {
@@ -120,14 +121,26 @@ bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2&
     return found;
 }
 
+namespace {
+
+/// Pixels' places from the middle of the screen, in screens to the right and up.
+std::pair<csg::lanes::Double, csg::lanes::Double> on_screen(const double* px, const double* py, double width,
+                                                            double height)
+{
+    using csg::lanes::Double;
+    return {(Double::load_aligned(px) + Double(0.5)) / Double(width) - Double(0.5),
+            (Double(height - 0.5) - Double::load_aligned(py)) / Double(height) - Double(0.5)};
+}
+
+}  // namespace
+
 bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
 {
     using csg::lanes::Double;
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
     std::uint32_t long_enough = ~0u;
     for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
-        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
         const Double x = Double(d.x) + u * Double(r.x) + v * Double(up.x);
         const Double y = Double(d.y) + u * Double(r.y) + v * Double(up.y);
         const Double z = Double(d.z) + u * Double(r.z) + v * Double(up.z);
@@ -149,8 +162,7 @@ bool CameraRays::parallel(const double* px, const double* py, csg::RayTile& rays
     if (!(length > 0)) return false;
     const glm::dvec3 d = camera_.direction / length;
     for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
-        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
         (Double(o.x) + (u * Double(r.x) + v * Double(up.x))).store_aligned(rays.ox.data() + i);
         (Double(o.y) + (u * Double(r.y) + v * Double(up.y))).store_aligned(rays.oy.data() + i);
         (Double(o.z) + (u * Double(r.z) + v * Double(up.z))).store_aligned(rays.oz.data() + i);
@@ -167,8 +179,7 @@ void CameraRays::unscaled_perspective(const double* px, const double* py, int co
     using csg::lanes::Double;
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
     for (int i = 0; i < count; i += csg::lanes::kDoubles) {
-        const Double u = (Double::load_aligned(px + i) + Double(0.5)) / Double(width_) - Double(0.5);
-        const Double v = (Double(height_ - 0.5) - Double::load_aligned(py + i)) / Double(height_) - Double(0.5);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
         (Double(d.x) + u * Double(r.x) + v * Double(up.x)).store_aligned(dx + i);
         (Double(d.y) + u * Double(r.y) + v * Double(up.y)).store_aligned(dy + i);
         (Double(d.z) + u * Double(r.z) + v * Double(up.z)).store_aligned(dz + i);

@@ -164,22 +164,6 @@ void item_chords(const csg::WorldData& world, const csg::WorldItem& item, const 
     });
 }
 
-/// Whether a part of a line passes through a box, or not farther from it than `room`.
-bool meets(const csg::Aabb& box, const csg::Ray& ray, double from, double to, double room)
-{
-    for (int k = 0; k < 3; ++k) {
-        const double low = box.lower[k] - room - ray.origin[k], high = box.upper[k] + room - ray.origin[k];
-        if (ray.direction[k] == 0.0) {
-            if (low > 0.0 || high < 0.0) return false;
-            continue;
-        }
-        const double a = low / ray.direction[k], b = high / ray.direction[k];
-        from = std::max(from, std::min(a, b));
-        to = std::min(to, std::max(a, b));
-    }
-    return from <= to;
-}
-
 /// Chords of several items as those of their union, without films.
 void unite(std::vector<Chord>& chords, double slack)
 {
@@ -198,6 +182,22 @@ void unite(std::vector<Chord>& chords, double slack)
 }
 
 }  // namespace
+
+std::pair<double, double> line_in_box(const csg::Aabb& box, const csg::Ray& line, double room)
+{
+    double from = -csg::kInfinity, to = csg::kInfinity;
+    for (int k = 0; k < 3; ++k) {
+        const double low = box.lower[k] - room - line.origin[k], high = box.upper[k] + room - line.origin[k];
+        if (line.direction[k] == 0.0) {
+            if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+            continue;
+        }
+        const double a = low / line.direction[k], b = high / line.direction[k];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+    }
+    return {from, to};
+}
 
 Body::Body(const scene::Object& object, const scene::GlobalSettings& global)
     : probe_(sharpened(object), global), unsmooth_(has_unsmooth(object))
@@ -224,9 +224,13 @@ void Body::chords(const glm::dvec3& point, const glm::dvec3& direction, double f
     const csg::WorldData& world = probe_.world().data();
     const double first = std::max(0.0, from + back), last = ends ? std::min(to + back, 3.0 * radius_) : to + back;
     const bool many = world.items.size() > 1;
-    for (std::size_t i = 0; i < world.items.size(); ++i)
-        if (!many || meets(boxes_[i], ray, first - slack_, last + slack_, slack_))
-            item_chords(world, world.items[i], ray, first, last, scratch, csg::Hit::kNoInstance, 1.0, out);
+    for (std::size_t i = 0; i < world.items.size(); ++i) {
+        if (many) {
+            const auto [in, out_of] = line_in_box(boxes_[i], ray, slack_);
+            if (!(std::max(in, first - slack_) <= std::min(out_of, last + slack_))) continue;
+        }
+        item_chords(world, world.items[i], ray, first, last, scratch, csg::Hit::kNoInstance, 1.0, out);
+    }
     unite(out, slack_);
     for (Chord& chord : out) {
         chord.in.t -= back;

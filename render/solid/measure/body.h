@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 /// Objects of a scene as bodies: measured, and written as triangles.
@@ -24,6 +25,10 @@ struct Chord {
     End in, out;
     double length() const { return out.t - in.t; }
 };
+
+/// Where a line is in a box that is wider by `room` on each side, from and to; nowhere if the first is above the
+/// second.
+std::pair<double, double> line_in_box(const csg::Aabb& box, const csg::Ray& line, double room = 0.0);
 
 /// What a body cannot be: without an end, or with nothing inside.
 class NoBody : public std::runtime_error {

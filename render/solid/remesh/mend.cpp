@@ -82,11 +82,10 @@ bool find_rim(const HalfEdges& mesh, const std::vector<std::uint32_t>& cut, std:
 
 /// Fills a polygon that is nearly flat with triangles, the best shaped first. False: it overlaps itself, or an edge of
 /// a triangle is there already.
-template <class Joined>
-bool fill(const std::vector<glm::dvec3>& places, std::vector<Index> polygon, const glm::dvec3& normal, Joined&& joined,
+template <class At, class Joined>
+bool fill(At&& at, std::vector<Index> polygon, const glm::dvec3& normal, Joined&& joined,
           std::vector<std::array<Index, 3>>& out)
 {
-    const auto at = [&](Index v) { return places[v]; };
     const auto turn = [&](Index a, Index b, Index c) { return glm::dot(cross_of(at(a), at(b), at(c)), normal); };
     while (polygon.size() > 3) {
         const std::size_t n = polygon.size();
@@ -138,8 +137,7 @@ bool Remesher::fill_hole(const std::vector<Index>& triangles, const std::vector<
         for (const Index f : triangles)
             for (Index k = 0; k < 3; ++k)
                 if (const Index v = mesh_.tail(3 * f + k); kinds_[v] == Kind::Corner) middle = mesh_.places[v];
-    std::vector<glm::dvec3> places = mesh_.places;
-    places.push_back(middle);
+    const auto at = [&](Index v) { return v == hub ? middle : mesh_.places[v]; };
     std::vector<std::array<Index, 3>> made;
     std::size_t finished = 0;
     // Two vertices of the rim may be joined outside already, or by another piece.
@@ -171,7 +169,7 @@ bool Remesher::fill_hole(const std::vector<Index>& triangles, const std::vector<
         }
         if (!(glm::length(sum) > 0.0)) return false;
         const glm::dvec3 normal = glm::normalize(sum);
-        if (!fill(places, polygon, normal, joined, made)) return false;
+        if (!fill(at, polygon, normal, joined, made)) return false;
         facing.resize(made.size(), normal);
         finished = made.size();
     }

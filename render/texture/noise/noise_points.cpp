@@ -60,15 +60,16 @@ inline Double ranged(const Double& raw, int generator)
     return clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582));
 }
 
-void scale(const Points& p, double by, Points& out)
+/// The points farther out by a factor, in places from `at` on, which begins a vector.
+void scale(const Points& p, double by, Points& out, std::size_t at = 0)
 {
     const Double factor(by);
-    out.count = p.count;
+    out.count = static_cast<int>(at) + p.count;
     out.density = p.density;
     each(p.size(), [&](std::size_t i) {
-        put(out.x, i, factor * get(p.x, i));
-        put(out.y, i, factor * get(p.y, i));
-        put(out.z, i, factor * get(p.z, i));
+        put(out.x, at + i, factor * get(p.x, i));
+        put(out.y, at + i, factor * get(p.y, i));
+        put(out.z, at + i, factor * get(p.z, i));
     });
 }
 
@@ -86,16 +87,6 @@ constexpr double first_scale(OctaveSum kind) { return kind == OctaveSum::Granite
 constexpr double last_factor(OctaveSum kind) { return kind == OctaveSum::Granite ? 1.0 : 0.5; }
 /// No octave adds more than this times its share.
 constexpr double greatest_term(OctaveSum kind) { return kind == OctaveSum::Granite ? 0.5 : 1.0; }
-
-void single_vector_points(const Points& p, unsigned live, Points& out)
-{
-    switch (live) {
-    case 1: return single_sums(p, 0, out.x);
-    case 2: return single_sums(p, 1, out.y);
-    case 4: return single_sums(p, 2, out.z);
-    default: return single_vector_sums(p, out);
-    }
-}
 
 }  // namespace
 
@@ -123,7 +114,7 @@ void noise_eight(const double* x, const double* y, const double* z, int generato
 void vector_noise_points(const Points& p, unsigned live, Points& out)
 {
     out.count = p.count;
-    if (p.density) return single_vector_points(p, live, out);
+    if (p.density) return single_vector_sums(p, live, out);
     switch (live) {
     case 1: return lattice_points<1>(p, 0, {out.x.data()});
     case 2: return lattice_points<1>(p, 1, {out.y.data()});
@@ -254,17 +245,9 @@ bool add_together(const Points& p, OctaveSum kind, int generator, Values& out)
     if (stride * octaves > kMostPoints) return false;
     Points all;
     Values n;
-    all.density = p.density;
-    all.count = static_cast<int>(stride * octaves);
     double factor = 1.0;
-    for (std::size_t k = 0; k < octaves; ++k, factor *= 2.0) {
-        const Double by(first_scale(kind) * factor);
-        each(p.size(), [&](std::size_t i) {
-            put(all.x, k * stride + i, by * get(p.x, i));
-            put(all.y, k * stride + i, by * get(p.y, i));
-            put(all.z, k * stride + i, by * get(p.z, i));
-        });
-    }
+    for (std::size_t k = 0; k < octaves; ++k, factor *= 2.0) scale(p, first_scale(kind) * factor, all, k * stride);
+    all.count = static_cast<int>(stride * octaves);
     noise_points(all, generator, n);
     each(p.size(), [&](std::size_t i) {
         Double sum(0.0);

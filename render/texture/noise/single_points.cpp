@@ -93,8 +93,14 @@ void single_sums(const Points& p, std::size_t component, Values& out)
     });
 }
 
-void single_vector_sums(const Points& p, Points& out)
+void single_vector_sums(const Points& p, unsigned live, Points& out)
 {
+    switch (live) {
+    case 1: return single_sums(p, 0, out.x);
+    case 2: return single_sums(p, 1, out.y);
+    case 4: return single_sums(p, 2, out.z);
+    default: break;
+    }
     out.count = p.count;
 #if defined(__AVX512F__)
     each_cells(p, [&](std::size_t i, const SingleCells& cells, std::size_t quads) {

@@ -10,7 +10,7 @@ namespace texture {
 /// range is fitted (0). The points are padded.
 void single_sums(const Points& p, std::size_t component, Values& out);
 
-/// All three components. Padded.
-void single_vector_sums(const Points& p, Points& out);
+/// The components whose bits are set in `live` (1, 2, 4), others perhaps. Padded.
+void single_vector_sums(const Points& p, unsigned live, Points& out);
 
 }  // namespace texture
