@@ -85,8 +85,9 @@ inline bool narrow_to_endless(const SolidStore& store, const Node& node, const R
 }
 
 /// Narrows a stretch to what a leaf is asked for: beyond the box of an operator above it that one holds nothing,
-/// whatever the leaf does, and an intersection holds nothing beyond any of its operands. Of bounds nothing is left out,
-/// for a guard asks whether the ray meets them anywhere. False, and nothing is narrowed, where the ray misses one.
+/// whatever the leaf does, and an intersection holds nothing beyond any of its operands, which are asked where the leaf
+/// has no end of its own. Of bounds nothing is left out, for a guard asks whether the ray meets them anywhere. False,
+/// and nothing is narrowed, where the ray misses one.
 inline bool narrow_to_deciding(const SolidStore& store, const Node* nodes, std::uint32_t leaf, const Ray& ray,
                                Stretch& part)
 {
@@ -97,7 +98,7 @@ inline bool narrow_to_deciding(const SolidStore& store, const Node* nodes, std::
         const std::uint32_t below = i;
         i = nodes[i].parent;
         if (nodes[i].bounded && !narrow_to_box(nodes[i], ray, inverse, in_box)) return false;
-        if (nodes[i].op != Op::Intersection && nodes[i].op != Op::Clip) continue;
+        if (nodes[leaf].bounded || (nodes[i].op != Op::Intersection && nodes[i].op != Op::Clip)) continue;
         int looks = kMostEndless;
         for (std::uint32_t k = i + 1; k < nodes[i].end && looks > 0; k = nodes[k].end, --looks)
             if (k != below && !narrow_to_endless(store, nodes[k], ray, in_box)) return false;
