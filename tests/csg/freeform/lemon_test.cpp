@@ -177,14 +177,14 @@ TEST_CASE("an egg with the larger sphere on top has POV-Ray 3.8's arc", "[csg][o
     check_spans(solid, {0, 0.7, 0}, [&](const glm::dvec3& p) { return solid.contains(p); });
     // A step: the ball ends where the arc begins.
     const auto from_below = [](double x) {
-        IntersectionList within(0.0, kInfinity, false);
-        Freeform{make_freeform<Ovus>(0.5, 0.65, 0.5, 1.3), {}}.intersect(Ray{{x, -9, 0}, {0, 1, 0}}, within);
+        IntersectionList hits(0.0, kInfinity, false);
+        Freeform{make_freeform<Ovus>(0.5, 0.65, 0.5, 1.3), {}}.intersect(Ray{{x, -9, 0}, {0, 1, 0}}, hits);
         double nearest = kInfinity;
         const auto met = [&](double t, std::uint32_t face) {
             if (face != kUndrawnFace) nearest = std::min(nearest, t);
         };
-        within.each_span([&](double in, std::uint32_t face, double, std::uint32_t) { met(in, face); });
-        within.each_touching(met);
+        hits.each_span([&](double in, std::uint32_t face, double, std::uint32_t) { met(in, face); });
+        hits.each_touching(met);
         return nearest - 9.0;
     };
     CHECK(from_below(0.37) == Approx(-0.33630).margin(1e-5));
