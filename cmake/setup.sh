@@ -75,16 +75,20 @@ kernels_for() {
     fi
 }
 
-# build PRESET TARGET...: configures when packages came since the last time (Ninja itself does when a CMake file changed)
-# and builds; quiet when there is nothing to do. Afresh, for the compiler and what was found may have gone with an older Debian.
-build() {
-    local preset=$1 folder=$root/build/$1 stamp configure='' levels
-    shift
+# configure PRESET: when packages came since the last time (Ninja itself does when a CMake file changed). Afresh, for the compiler
+# and what was found may have gone with an older Debian.
+configure() {
+    local folder=$root/build/$1 stamp wanted='' levels
     levels=$(kernels_for "$folder" "${kernels:-}")
-    grep -qsxF "WHITTLE_ISA_LEVELS:STRING=$levels" "$folder/CMakeCache.txt" && [[ -f $folder/build.ninja ]] || configure=yes
+    grep -qsxF "WHITTLE_ISA_LEVELS:STRING=$levels" "$folder/CMakeCache.txt" && [[ -f $folder/build.ninja ]] || wanted=yes
     for stamp in "$root"/build/packages.*; do
-        [[ $stamp -nt $folder/build.ninja ]] && configure=yes
+        [[ $stamp -nt $folder/build.ninja ]] && wanted=yes
     done
-    [[ -z $configure ]] || (cd "$root" && cmake --preset "$preset" --fresh -DWHITTLE_ISA_LEVELS="$levels") >&2
-    ninja -C "$folder" --quiet "$@" >&2
+    [[ -z $wanted ]] || (cd "$root" && cmake --preset "$1" --fresh -DWHITTLE_ISA_LEVELS="$levels") >&2
+}
+
+# build PRESET TARGET...: configured where it has to be; quiet when there is nothing to do.
+build() {
+    configure "$1"
+    ninja -C "$root/build/$1" --quiet "${@:2}" >&2
 }
