@@ -46,6 +46,16 @@ TEST_CASE("from version 3.5 the order of items does not matter", "[parser][camer
     CHECK(camera("angle 60").focal_distance == Approx(1.1518).margin(1e-4));
 }
 
+TEST_CASE("3.8 divides by lengths where it looks at a point, 3.7 multiplies by the reciprocal", "[parser][camera]")
+{
+    // Half of these bits differ; what 3.8 shows of the plane y = 0 tells them (camera_rays_test.cpp).
+    const std::string block = "camera { location <50, 55, -75> look_at <-10, 18, 0> }";
+    const glm::dvec3 newer = parsed("#version 3.8;\n" + block).camera.direction;
+    CHECK(newer == glm::dvec3(-0x1.2a76a7ea28bd8p-1, -0x1.701ae02954612p-2, 0x1.751451e4b2ecdp-1));
+    const glm::dvec3 older = parsed("#version 3.7;\n" + block).camera.direction;
+    CHECK(older == glm::dvec3(-0x1.2a76a7ea28bd8p-1, -0x1.701ae02954613p-2, 0x1.751451e4b2ecep-1));
+}
+
 TEST_CASE("an upside-down up mirrors the picture", "[parser][camera]")
 {
     const scene::Camera c = parsed("camera { up -y look_at x }").camera;

@@ -1,6 +1,7 @@
 #include "parser/grammar/core/productions.h"
 #include "parser/grammar/core/scene_builder.h"
 #include "parser/base/queries.h"
+#include "render/scene/last_bits.h"
 #include "render/scene/function.h"
 
 #include <algorithm>
@@ -80,10 +81,7 @@ std::optional<ObjectHit> SceneBuilder::trace(const ObjectPtr& object, const glm:
     if (is_unsupported(object, "trace()")) return ObjectHit{};
     SceneQueries* asked = queries();
     if (!asked) return std::nullopt;
-    // 3.7 multiplies by the reciprocal of the length, 3.8 divides: a chain of rays that begin where others end tells.
-    const bool multiplies = stream_->povray() == scene::PovRay::V37;
-    const glm::dvec3 unit = multiplies ? glm::normalize(direction) : direction / glm::length(direction);
-    return asked->trace(object, origin, unit, description);
+    return asked->trace(object, origin, scene::unit(direction, stream_->povray()), description);
 }
 
 std::optional<bool> SceneBuilder::inside(const ObjectPtr& object, const glm::dvec3& point)

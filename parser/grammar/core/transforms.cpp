@@ -1,4 +1,5 @@
 #include "parser/grammar/core/rules.h"
+#include "render/scene/last_bits.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +50,7 @@ struct translate : item<Kind::Translate, a_vector> {
     static void act(TransformState& s) { s.result = csg::Transform::translate(s.pop_vector()) * s.result; }
 };
 struct rotate : item<Kind::Rotate, a_vector> {
-    static void act(TransformState& s) { s.result = csg::Transform::rotate_degrees(s.pop_vector()) * s.result; }
+    static void act(TransformState& s) { s.result = scene::rotation(s.pop_vector(), s.stream().povray()) * s.result; }
 };
 struct scale : item<Kind::Scale, a_vector> {
     static void act(TransformState& s)

@@ -1,4 +1,5 @@
 #include "parser/grammar/ready/recipe.h"
+#include "render/scene/last_bits.h"
 
 namespace parser {
 namespace {
@@ -35,7 +36,9 @@ bool ModifierRecipe::apply(const Making& m, scene::Object& object) const
     const csg::Transform none;
     switch (keyword) {
     case Kind::Translate: object.transform_by(moved_by(m.vector(value))); return true;
-    case Kind::Rotate: object.transform_by(csg::Transform::rotate_degrees(m.vector(value)) * none); return true;
+    case Kind::Rotate:
+        object.transform_by(scene::rotation(m.vector(value), m.build.stream().povray()) * none);
+        return true;
     case Kind::Scale: {
         const glm::dvec3 by = m.vector(value);
         if (by.x == 0.0 || by.y == 0.0 || by.z == 0.0) return false;

@@ -2,6 +2,7 @@
 #include "parser/grammar/scene/effects.h"
 #include "parser/grammar/core/rules.h"
 #include "parser/stream/functions/function.h"
+#include "render/scene/last_bits.h"
 
 #include <cmath>
 #include <numbers>
@@ -43,13 +44,14 @@ void apply_look_at(CameraState& s, const glm::dvec3& target)
     const double hand = glm::dot(glm::cross(c.up, c.direction), c.right) > 0 ? 1.0 : -1.0;
     const glm::dvec3 to = target - c.location;
     if (glm::dot(to, to) < kEpsilon) s.stream().fail(c.source, "the camera's location and look_at are the same point");
-    const glm::dvec3 n = glm::normalize(to);
+    const scene::PovRay povray = s.stream().povray();
+    const glm::dvec3 n = scene::unit(to, povray);
     glm::dvec3 q = glm::cross(c.sky, n);
     if (std::abs(q.x) < kEpsilon && std::abs(q.y) < kEpsilon && std::abs(q.z) < kEpsilon) {
         s.stream().warn(c.source, "the camera looks along its sky vector: the old right vector is used");
         q = c.right;
     }
-    q = glm::normalize(q);
+    q = scene::unit(q, povray);
     c.direction = d * n;
     c.right = hand * r * q;
     c.up = u * glm::cross(n, q);

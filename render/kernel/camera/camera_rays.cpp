@@ -46,6 +46,14 @@ double polar_angle(double a, double b)
     return a < 0.0 && b < 0.0 ? phi + 2.0 * kPi : phi;
 }
 
+/// A place from the middle of the screen, in screens up; the last bit goes by the program (spec 7d, 6).
+template <class T>
+T screen_row(const T& py, double height, scene::PovRay povray)
+{
+    if (povray == scene::PovRay::V38) return T(0.5) - (py + T(0.5)) / T(height);
+    return (T(height - 0.5) - py) / T(height) - T(0.5);
+}
+
 }  // namespace
 
 CameraRays::CameraRays(const scene::Camera& camera, int width, int height, const Extras& extras)
@@ -89,7 +97,7 @@ bool CameraRays::unscaled_ray(double px, double py, csg::Ray& out) const
 bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2& place) const
 {
     const double u = (px + 0.5) / width_ - 0.5;
-    const double v = (height_ - 0.5 - py) / height_ - 0.5;
+    const double v = screen_row(py, height_, camera_.povray);
     out.origin = camera_.location;
     place = {u, v};
     bool found = true;
@@ -125,11 +133,11 @@ namespace {
 
 /// Pixels' places from the middle of the screen, in screens to the right and up.
 std::pair<csg::lanes::Double, csg::lanes::Double> on_screen(const double* px, const double* py, double width,
-                                                            double height)
+                                                            double height, scene::PovRay povray)
 {
     using csg::lanes::Double;
     return {(Double::load_aligned(px) + Double(0.5)) / Double(width) - Double(0.5),
-            (Double(height - 0.5) - Double::load_aligned(py)) / Double(height) - Double(0.5)};
+            screen_row(Double::load_aligned(py), height, povray)};
 }
 
 }  // namespace
@@ -140,7 +148,7 @@ bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& r
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
     std::uint32_t long_enough = ~0u;
     for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         const Double x = Double(d.x) + u * Double(r.x) + v * Double(up.x);
         const Double y = Double(d.y) + u * Double(r.y) + v * Double(up.y);
         const Double z = Double(d.z) + u * Double(r.z) + v * Double(up.z);
@@ -162,7 +170,7 @@ bool CameraRays::parallel(const double* px, const double* py, csg::RayTile& rays
     if (!(length > 0)) return false;
     const glm::dvec3 d = camera_.direction / length;
     for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
-        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         (Double(o.x) + (u * Double(r.x) + v * Double(up.x))).store_aligned(rays.ox.data() + i);
         (Double(o.y) + (u * Double(r.y) + v * Double(up.y))).store_aligned(rays.oy.data() + i);
         (Double(o.z) + (u * Double(r.z) + v * Double(up.z))).store_aligned(rays.oz.data() + i);
@@ -179,7 +187,7 @@ void CameraRays::unscaled_perspective(const double* px, const double* py, int co
     using csg::lanes::Double;
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
     for (int i = 0; i < count; i += csg::lanes::kDoubles) {
-        const auto [u, v] = on_screen(px + i, py + i, width_, height_);
+        const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         (Double(d.x) + u * Double(r.x) + v * Double(up.x)).store_aligned(dx + i);
         (Double(d.y) + u * Double(r.y) + v * Double(up.y)).store_aligned(dy + i);
         (Double(d.z) + u * Double(r.z) + v * Double(up.z)).store_aligned(dz + i);

@@ -48,14 +48,15 @@ std::vector<glm::dvec2> every_pixel(int left, int right, int top, int bottom)
 
 }  // namespace
 
-std::vector<Pass> passes(double pretrace_start, double pretrace_end, int width, int height)
+std::vector<Pass> passes(double pretrace_start, double pretrace_end, int width, int height, scene::PovRay povray)
 {
     constexpr double kNearlyZero = 1e-10;
     const double most = std::max(width, height), start = most * pretrace_start,
                  end = std::max(1.0, most * pretrace_end);
     const int count = std::max(1, static_cast<int>(std::floor(numbers::log2(start / end) + 1.0 - kNearlyZero)) + 1);
+    const double shift = povray == scene::PovRay::V38 ? -0.5 : 0.0;
     std::vector<Pass> out;
-    for (int j = 0; j < count; ++j) out.push_back({j, std::max(std::ldexp(start, -j), end), true});
+    for (int j = 0; j < count; ++j) out.push_back({j, std::max(std::ldexp(start, -j), end), true, shift});
     out.push_back({count, 1.0, false});
     return out;
 }
@@ -66,14 +67,14 @@ std::vector<glm::dvec2> rays_of(const Pass& pass, const Parts& parts, int part)
     const int right = std::min(left + Parts::kSide, parts.width), bottom = std::min(top + Parts::kSide, parts.height);
     if (!pass.pretrace) return every_pixel(left, right, top, bottom);
     Jitter jitter(17 * static_cast<std::size_t>(pass.number + 1) + 13 * static_cast<std::size_t>(part));
-    const double z = pass.step, amplitude = std::min(1.0, z / 2.0);
+    const double z = pass.step, amplitude = std::min(1.0, z / 2.0), middle = (z - 1.0) / 2.0 + pass.shift;
     std::vector<glm::dvec2> out;
     for (double y = std::ceil((top - 0.5) / z) * z; y < bottom; y += z) {
         if (y < top) continue;
         for (double x = std::ceil((left - 0.5) / z) * z; x < right; x += z) {
             if (x < left) continue;
             const double down = jitter.next(), across = jitter.next();
-            out.emplace_back(x + (z - 1.0) / 2.0 + amplitude * across, y + (z - 1.0) / 2.0 + amplitude * down);
+            out.emplace_back(x + middle + amplitude * across, y + middle + amplitude * down);
         }
     }
     return out;

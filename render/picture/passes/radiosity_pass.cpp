@@ -39,7 +39,8 @@ public:
               options, [&scene, &light, this] { return kernel_.make(scene, &light, options_.cancel); }, kernel.free)
     {
         const scene::RadiositySettings& settings = field_.settings();
-        passes_ = passes(settings.pretrace_start, settings.pretrace_end, parts_.width, parts_.height);
+        passes_ =
+            passes(settings.pretrace_start, settings.pretrace_end, parts_.width, parts_.height, scene.camera.povray);
     }
 
     bool run()

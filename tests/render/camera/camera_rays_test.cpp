@@ -86,6 +86,45 @@ TEST_CASE("every kind of camera sends its rays where POV-Ray's goes", "[trace][c
     }
 }
 
+TEST_CASE("rays have the last bits of 3.8's", "[trace][camera]")
+{
+    // On which side of y = 0 hits on plane { y, 0 } came to lie, as 3.8 showed it (spec 7d, 6).
+    constexpr int kColumns = 24, kRows = 11;
+    const char* const seen[kRows] = {"00000-00000++00000-00000", "0-0000000-0000-0000000-0", "0000+0000000000000000000",
+                                     "+00000000000000000++000+", "00000000-0+00-0-00000000", "000-00+0+------0-+00-000",
+                                     "-00-0000000000000000000-", "0-+000000000000000000+00", "00000000000--00000000000",
+                                     "0000000000+0000000000000", "000000000000000000000000"};
+    scene::Camera camera =
+        parser::parse_text("#version 3.8; camera { location <50,55,-75> right 2*x up y look_at <-10,18,0> }", "c.pov",
+                           {})
+            .scene.camera;
+    camera.povray = scene::PovRay::V38;
+    const trace::CameraRays rays(camera, kColumns, kRows + 1);
+    for (int row = 0; row < kRows; ++row) {
+        std::string ours, in_lanes;
+        csg::RayTile tile;
+        tile.count = kColumns;
+        alignas(64) double px[kColumns], py[kColumns];
+        for (int x = 0; x < kColumns; ++x) {
+            px[x] = x;
+            py[x] = row + 1;
+        }
+        REQUIRE(rays.perspective(px, py, tile));
+        const auto side = [](double origin, double way) {
+            const double y = origin + -origin / way * way;
+            return y < 0.0 ? '-' : y > 0.0 ? '+' : '0';
+        };
+        for (int x = 0; x < kColumns; ++x) {
+            csg::Ray ray;
+            REQUIRE(rays.ray(x, row + 1, ray));
+            ours += side(ray.origin.y, ray.direction.y);
+            in_lanes += side(ray.origin.y, tile.dy[static_cast<std::size_t>(x)]);
+        }
+        CHECK(ours == seen[row]);
+        CHECK(in_lanes == seen[row]);
+    }
+}
+
 TEST_CASE("rays of a camera with one eye start there", "[trace][camera]")
 {
     for (const char* block : {"", "fisheye angle 360 right x up y", "ultra_wide_angle angle 140", "omnimax",

@@ -150,12 +150,12 @@ TEST_CASE("rays, weights and reaches by bounce", "[trace][radiosity]")
 
 TEST_CASE("passes of a pretrace", "[trace][radiosity]")
 {
-    const auto passes = trace::radiosity::passes(0.08, 0.04, 160, 120);
+    const auto passes = trace::radiosity::passes(0.08, 0.04, 160, 120, scene::PovRay::V37);
     REQUIRE(passes.size() == 3);
     CHECK(passes[0].step == Approx(12.8));
     CHECK(passes[1].step == Approx(6.4));
     CHECK((!passes[2].pretrace && passes[2].step == 1.0));
-    CHECK(trace::radiosity::passes(1, 1, 160, 120).size() == 2);
+    CHECK(trace::radiosity::passes(1, 1, 160, 120, scene::PovRay::V37).size() == 2);
     // Every pixel once in the last.
     const trace::radiosity::Parts parts{160, 120};
     std::map<std::pair<int, int>, int> seen;
@@ -163,6 +163,25 @@ TEST_CASE("passes of a pretrace", "[trace][radiosity]")
         for (const glm::dvec2& p : rays_of(passes[2], parts, part))
             ++seen[{static_cast<int>(p.x), static_cast<int>(p.y)}];
     CHECK(seen.size() == 160 * 120);
+}
+
+TEST_CASE("rays of a pretrace lie half a pixel further back in 3.8", "[trace][radiosity]")
+{
+    // What +RFO wrote of a plane seen by an orthographic camera, 64x48 (spec 7d, 8).
+    struct Row {
+        scene::PovRay povray;
+        double x[3], y[3];
+    };
+    for (const Row& row : {Row{scene::PovRay::V37, {4.43539, 11.9517, 20.4622}, {4.4298, 2.8152, 4.4412}},
+                           Row{scene::PovRay::V38, {3.93539, 11.4517, 19.9622}, {3.9298, 2.3152, 3.9412}}}) {
+        const auto first = trace::radiosity::passes(0.125, 0.03125, 64, 48, row.povray)[0];
+        const auto rays = rays_of(first, trace::radiosity::Parts{64, 48}, 0);
+        REQUIRE(rays.size() >= 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(rays[i].x == Approx(row.x[i]).margin(1e-4));
+            CHECK(rays[i].y == Approx(row.y[i]).margin(1e-4));
+        }
+    }
 }
 
 TEST_CASE("a point finds what loose cells give it, with weights by the formula", "[trace][radiosity]")

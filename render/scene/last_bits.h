@@ -1,0 +1,26 @@
+#pragma once
+
+#include "csg/base/types.h"
+#include "render/scene/base/povray.h"
+
+/// Sums and quotients that 3.7 and 3.8 round otherwise. The last bit decides on which side of an edge a hit lies, and
+/// where the steps through a julia fractal fall.
+namespace scene {
+
+/// A vector at length 1: 3.7 multiplies by the reciprocal of its length, 3.8 divides (spec 7d, 6).
+inline glm::dvec3 unit(const glm::dvec3& v, PovRay povray)
+{
+    return povray == PovRay::V37 ? glm::normalize(v) : v / glm::length(v);
+}
+
+/// About x, then y, then z, degrees: 3.8's is what three rotations come to (spec 7d, 6). It differs where none is 0.
+inline csg::Transform rotation(const glm::dvec3& angles, PovRay povray)
+{
+    using csg::Transform;
+    const bool all = angles.x != 0.0 && angles.y != 0.0 && angles.z != 0.0;
+    if (povray == PovRay::V37 || !all) return Transform::rotate_degrees(angles);
+    return Transform::rotate_degrees({0, 0, angles.z}) *
+           (Transform::rotate_degrees({0, angles.y, 0}) * Transform::rotate_degrees({angles.x, 0, 0}));
+}
+
+}  // namespace scene
