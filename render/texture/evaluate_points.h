@@ -3,6 +3,8 @@
 #include "render/texture/evaluate.h"
 #include "render/texture/points/points.h"
 
+#include <span>
+
 /// Patterns and pigments of many points at once: the bits are those of evaluate.h for each point, but noise, sums of
 /// octaves and crackle share vector lanes. Points that a function takes are padded (Points::pad).
 namespace texture {
@@ -24,6 +26,10 @@ void perturb_points(const TextureSet& set, std::uint32_t normal, const Points& p
 /// normal_into() and normal_out_of() of each. Padded.
 void normals_into(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n);
 void normals_out_of(const TextureSet& set, const Pattern& pattern, bool keep_length, Points& n);
+
+/// normal_out_of() of each in the spaces of these textures' patterns, the last one first: those of normal i are the
+/// first reached[i], which are no fewer than those of the normal before. Padded, `reached` too.
+void normals_out_of(const TextureSet& set, std::span<const std::uint32_t> textures, const Values& reached, Points& n);
 
 /// glm::normalize of each. Padded.
 void normalize_points(Points& n);

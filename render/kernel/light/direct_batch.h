@@ -90,14 +90,22 @@ public:
     }
 
     /// Rows of a layer for hits whose colour some others will make of them, and from which no ray goes on. Its pigments
-    /// and what the layers above let through are known; plain: it is opaque.
+    /// and what the layers above let through are known, and normals, if it bends them; plain: it is opaque.
     void lay(std::size_t d, HitMask hits, const texture::Layer& layer, const TileColors& filter, bool plain,
-             const texture::ColorPoints& c)
+             const texture::ColorPoints& c, const BentNormals& normals)
     {
         hold(hits);
         alone_ |= hits;
         if (set_.finishes[layer.finish].lit()) lit_ |= hits;
-        RowPage& at = add_layer(d, hits, layer);
+        RowPage& at = add_finish(d, hits, layer);
+        if (layer.normal != texture::kNone) {
+            own_normals(at, hits);
+            for_each_hit(hits, [&](std::size_t k) {
+                at.nx[k] = normals.x[k];
+                at.ny[k] = normals.y[k];
+                at.nz[k] = normals.z[k];
+            });
+        }
         if (d == scratch_.rows.laid.size()) scratch_.rows.laid.push_back(0);
         scratch_.rows.laid[d] |= hits;
         for (TileFloats TileColors::*channel : kChannels)
@@ -125,9 +133,7 @@ public:
         if (!finish.lit()) return;
         if (row.alpha != 0.0f || !context_.traits.clear_surfaces || !finish.dull()) lit_ |= bit;
         if (row.normal != row.raw_normal) {
-            if (at.bent == 0) copy_normals(at);
-            at.bent |= bit;
-            bent_ |= bit;
+            own_normals(at, bit);
             at.nx[k] = row.normal.x;
             at.ny[k] = row.normal.y;
             at.nz[k] = row.normal.z;
@@ -156,11 +162,6 @@ public:
     /// Bends the normals of the layers that have some; their places and surroundings are known.
     void bend()
     {
-        for (std::size_t depth = 0; depth < depths_; ++depth) {
-            RowPage& at = scratch_.rows.pages[depth];
-            if (at.bent == 0) continue;
-            copy_normals(at);
-        }
         for (std::size_t i = 0; i < bends_; ++i) bend(scratch_.rows.bends[i]);
         bends_ = 0;
     }
@@ -168,8 +169,9 @@ public:
     /// Some layer of a bent hit faces the direction.
     bool faces(std::size_t k, const glm::dvec3& direction) const
     {
-        for (std::size_t depth = 0; depth < depths_ && has(scratch_.rows.pages[depth].holds, k); ++depth) {
+        for (std::size_t depth = 0; depth < depths_; ++depth) {
             const RowPage& at = scratch_.rows.pages[depth];
+            if (!has(at.holds, k)) continue;
             const glm::dvec3 n = at.bent != 0 ? at.normal(k) : scratch_.hits.normal(k);
             if (!(glm::dot(n, direction) < kNearlyZero)) return true;
         }
@@ -292,11 +294,16 @@ private:
     /// Notes that these hits have rows.
     void hold(HitMask hits) { holds_ |= hits; }
 
-    void copy_normals(RowPage& at)
+    /// These hits have normals of their own on the page; others there keep the surface's.
+    void own_normals(RowPage& at, HitMask hits)
     {
-        at.nx = scratch_.hits.nx;
-        at.ny = scratch_.hits.ny;
-        at.nz = scratch_.hits.nz;
+        if (at.bent == 0) {
+            at.nx = scratch_.hits.nx;
+            at.ny = scratch_.hits.ny;
+            at.nz = scratch_.hits.nz;
+        }
+        at.bent |= hits;
+        bent_ |= hits;
     }
 
     /// Page d, opened if it is the first after those in use.
@@ -324,6 +331,16 @@ private:
 
     RowPage& add_layer(std::size_t depth, HitMask hits, const texture::Layer& of)
     {
+        RowPage& at = add_finish(depth, hits, of);
+        if (of.normal != texture::kNone) {
+            own_normals(at, hits);
+            scratch_.rows.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
+        }
+        return at;
+    }
+
+    RowPage& add_finish(std::size_t depth, HitMask hits, const texture::Layer& of)
+    {
         RowPage& at = page(depth);
         const texture::Finish& finish = set_.finishes[of.finish];
         const glm::vec3 emitted = finish.ambient + finish.emission;
@@ -343,11 +360,6 @@ private:
         }
         at.holds |= hits;
         set_kind(at, hits, finish);
-        if (of.normal != texture::kNone) {
-            at.bent |= hits;
-            bent_ |= hits;
-            scratch_.rows.bends[bends_++] = {hits, of.normal, static_cast<std::uint8_t>(depth)};
-        }
         return at;
     }
 

@@ -62,14 +62,18 @@ HitMask TextureMaps::lay_rows(const Context& context, DirectBatch& batch, std::u
         TileColors filter;
         filter.fill(1.0f);
         for (std::uint32_t depth = 0; depth < texture.count && left != 0; ++depth) {
-            const texture::ColorPoints& known = layers_[place.first + depth].colors;
-            texture::ColorPoints placed;
+            const texture::Layer& layer = set.layers[texture.first + texture.count - 1 - depth];
+            const LayerPoints& known = layers_[place.first + depth];
+            LayerPoints placed;
             std::size_t from = 0;
-            for_each_hit(place.hits, [&](std::size_t k) { placed.set(k, known.at(from++)); });
-            batch.lay(place.page + depth, left, set.layers[texture.first + texture.count - 1 - depth], filter,
-                      texture.plain, placed);
+            for_each_hit(place.hits, [&](std::size_t k) { placed.colors.set(k, known.colors.at(from++)); });
+            if (layer.normal != texture::kNone) {
+                from = 0;
+                for_each_hit(place.hits, [&](std::size_t k) { placed.normals.set(k, known.normals.at(from++)); });
+            }
+            batch.lay(place.page + depth, left, layer, filter, texture.plain, placed.colors, placed.normals);
             asked_[place.first + depth] = left;
-            if (depth + 1 < texture.count) left &= pass_layer(placed, filter, bailout);
+            if (depth + 1 < texture.count) left &= pass_layer(placed.colors, filter, bailout);
         }
     }
     return closed;

@@ -6,7 +6,6 @@
 #include "render/texture/entries.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace trace {
 namespace {
@@ -24,12 +23,6 @@ bool bends_flat(const texture::TextureSet& set, const Texture& map)
             bends |= set.layers[k].normal != texture::kNone;
     }
     return bends;
-}
-
-/// Which of the hits are hit k's.
-std::size_t place_of(HitMask hits, std::size_t k)
-{
-    return static_cast<std::size_t>(std::popcount(hits & ((HitMask{1} << k) - 1)));
 }
 
 }  // namespace
@@ -55,7 +48,10 @@ std::uint32_t TextureMaps::look_up(const Context& context, std::uint32_t texture
                                    const texture::Points& p, const texture::Around& around,
                                    const texture::Points& normals)
 {
-    return look_up(context, texture, hits, {p, around, normals});
+    const Seen seen{p, around, normals};
+    const std::uint32_t at = look_up(context, texture, hits, seen);
+    bend_nested(context, at, seen);
+    return at;
 }
 
 std::uint32_t TextureMaps::look_up(const Context& context, std::uint32_t texture, HitMask hits, const Seen& seen)
@@ -180,11 +176,7 @@ void TextureMaps::bend(const texture::TextureSet& set, std::uint32_t normal, con
     texture::normalize_points(n);
     texture::normals_out_of(set, set.patterns[seen.map->pattern], seen.map->no_bump_scale, n);
     std::size_t i = 0;
-    for_each_hit(hits, [&](std::size_t k) {
-        to.x[k] = n.x[i];
-        to.y[k] = n.y[i];
-        to.z[k] = n.z[i++];
-    });
+    for_each_hit(hits, [&](std::size_t k) { to.set(k, n.at(i++)); });
 }
 
 void TextureMaps::shade(Context& context, DirectBatch& batch, HitContext& hit, std::uint32_t at,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/texture/map_points.h"
+#include "render/texture/shown.h"
 #include "render/kernel/tile/hit_mask.h"
 #include "render/kernel/tile/layer_points.h"
 #include "render/kernel/tile/row_page.h"
@@ -15,6 +16,12 @@ class DirectBatch;
 struct Context;
 struct HitContext;
 using ColorSlot = std::uint32_t;
+
+/// Which of the hits are hit k's.
+inline std::size_t place_of(HitMask hits, std::size_t k)
+{
+    return static_cast<std::size_t>(std::popcount(hits & ((HitMask{1} << k) - 1)));
+}
 
 /// Texture maps of a tile's hits, looked up for all of them before they are gone through one by one: values of
 /// patterns, and pigments and normals of the layers that the maps lead to. Every texture of a map takes the hits that
@@ -49,7 +56,7 @@ private:
         std::size_t first = 0;    ///< of maps: in maps_; of layers: the top one's, in layers_
         std::size_t entries = 0;  ///< of maps: the first one's, in entries_
         bool bent = false;        ///< of layers: normals are known too, at the same places
-        bool asks_point = false;  ///< of layers: normals are yet to be bent
+        bool asks_point = false;  ///< of layers: normals are yet to be bent, at a point
         HitMask open = 0;         ///< of layers: hits that light passes
         std::size_t page = 0;     ///< of layers: where the top one's rows lie
     };
@@ -78,11 +85,41 @@ private:
     static void bend(const texture::TextureSet& set, std::uint32_t normal, const Seen& seen, HitMask hits,
                      BentNormals& to);
 
+    // Normals of layers in maps within maps (nested_normals.cpp).
+
+    /// A texture's hits where its layers bend their normals: in the space of the maps around it.
+    struct Within {
+        texture::Points points, normals;
+        texture::Around around;
+    };
+    /// A hit's way through the maps.
+    struct Way {
+        /// A texture of layers on it.
+        struct Stop {
+            std::uint32_t at;     ///< its place
+            std::size_t i;        ///< the hit's place there
+            std::size_t reached;  ///< so many of `maps` were looked at before
+        };
+        std::size_t lane = 0;
+        glm::dvec3 normal{0};  ///< of the surface
+        const texture::Surroundings* around = nullptr;
+        std::uint32_t first = 0;  ///< place of the outermost map
+        texture::Enclosing maps;
+        std::vector<Stop> stops;
+    };
+    void bend_nested(const Context& context, std::uint32_t at, const Seen& seen);
+    void enter(const texture::TextureSet& set, std::uint32_t at, const texture::Points& points, std::size_t k,
+               Way& way);
+    void bend_within(const texture::TextureSet& set, const Place& place, Within& within);
+    void leave(const texture::TextureSet& set, const Way& way);
+
     std::vector<Place> textures_;
     std::vector<std::uint32_t> entries_;  ///< of maps: places of their textures, or texture::kNone
     std::deque<Map> maps_;                ///< so many of them in use, as of layers; they stay for the next tile
     std::vector<LayerPoints> layers_;
     std::vector<HitMask> asked_;  ///< by layer: hits that have a row of it
+    std::vector<Within> within_;  ///< by place since the outermost map's
+    std::vector<Way> ways_;       ///< by hit
     std::size_t maps_used_ = 0, layers_used_ = 0;
 };
 

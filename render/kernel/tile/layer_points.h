@@ -9,6 +9,12 @@ struct BentNormals {
     texture::Values x, y, z;
 
     glm::dvec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+    void set(std::size_t k, const glm::dvec3& n)
+    {
+        x[k] = n.x;
+        y[k] = n.y;
+        z[k] = n.z;
+    }
 };
 
 /// A layer of one texture at some hits: its pigment, and its normal as it bends it.

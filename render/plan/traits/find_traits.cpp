@@ -86,8 +86,7 @@ bool lets_all_through(const TextureSet& set, const SingleLayer& single, const In
            interior.transmission == 1.0f && interior.fade_distance == 0.0f;
 }
 
-/// Whether textures, and all that their maps lead to, have layers of nothing but colour, diffuse light and highlights,
-/// and bend no normals.
+/// Whether textures, and all that their maps lead to, have layers of nothing but colour, diffuse light and highlights.
 class PlainMaps {
 public:
     explicit PlainMaps(const TextureSet& set) : set_(set), known_(set.textures.size(), Known::No) {}
@@ -115,7 +114,7 @@ private:
         return texture.kind == Kind::Layers && all([this](std::uint32_t i) {
                    const texture::Layer& layer = set_.layers[i];
                    const texture::Finish& finish = set_.finishes[layer.finish];
-                   return layer.normal == texture::kNone && plain_light(finish, false) && !finish.reflects();
+                   return plain_light(finish, false) && !finish.reflects();
                });
     }
 
@@ -130,7 +129,8 @@ PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, boo
     const texture::Texture& texture = set.textures[index];
     using Kind = texture::Texture::Kind;
     if (texture.kind == Kind::Map || texture.kind == Kind::Average)
-        return bent ? PatternedLayers{} : PatternedLayers{index, plain_maps.of(index), true};
+        // Normals of another length are lit one by one.
+        return bent ? PatternedLayers{} : PatternedLayers{index, plain_maps.of(index) && !texture.no_bump_scale, true};
     if (texture.kind != Kind::Layers || texture.count > kPrefetchedLayers) return {};
     bool patterned = false, all_alone = true;
     for (std::uint32_t i = texture.first; i < texture.first + texture.count; ++i) {

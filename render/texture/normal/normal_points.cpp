@@ -9,15 +9,37 @@
 
 namespace texture {
 
+namespace {
+
+/// As many normals as there are lanes.
+struct Normals {
+    Double x, y, z;
+
+    Normals of_unit_length() const
+    {
+        const Double inverse = Double(1.0) / xsimd::sqrt(x * x + y * y + z * z);
+        return {x * inverse, y * inverse, z * inverse};
+    }
+    Normals times(const glm::dmat3& m) const
+    {
+        const auto row = [&](int k) { return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z; };
+        return {row(0), row(1), row(2)};
+    }
+    void store(Points& n, std::size_t i) const
+    {
+        x.store_aligned(n.x.data() + i);
+        y.store_aligned(n.y.data() + i);
+        z.store_aligned(n.z.data() + i);
+    }
+};
+
+Normals normals_at(const Points& n, std::size_t i) { return {get(n.x, i), get(n.y, i), get(n.z, i)}; }
+
+}  // namespace
+
 void normalize_points(Points& n)
 {
-    for (std::size_t i = 0; i < n.size(); i += kLanes) {
-        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i),
-                     inverse = Double(1.0) / xsimd::sqrt(x * x + y * y + z * z);
-        (x * inverse).store_aligned(n.x.data() + i);
-        (y * inverse).store_aligned(n.y.data() + i);
-        (z * inverse).store_aligned(n.z.data() + i);
-    }
+    for (std::size_t i = 0; i < n.size(); i += kLanes) normals_at(n, i).of_unit_length().store(n, i);
 }
 
 namespace {
@@ -167,14 +189,7 @@ void bend(const TextureSet& set, const Normal& normal, const Pattern& pattern, c
 /// m * n of each.
 void multiply(const glm::dmat3& m, Points& n)
 {
-    for (std::size_t i = 0; i < n.size(); i += kLanes) {
-        const Double x = get(n.x, i), y = get(n.y, i), z = get(n.z, i);
-        const auto row = [&](int k) { return Double(m[0][k]) * x + Double(m[1][k]) * y + Double(m[2][k]) * z; };
-        const Double a = row(0), b = row(1), c = row(2);
-        a.store_aligned(n.x.data() + i);
-        b.store_aligned(n.y.data() + i);
-        c.store_aligned(n.z.data() + i);
-    }
+    for (std::size_t i = 0; i < n.size(); i += kLanes) normals_at(n, i).times(m).store(n, i);
 }
 
 }  // namespace
@@ -194,6 +209,28 @@ void normals_out_of(const TextureSet& set, const Pattern& pattern, bool keep_len
         if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + i]))
             multiply(glm::transpose(t->linear), n);
     if (!keep_length) normalize_points(n);
+}
+
+void normals_out_of(const TextureSet& set, std::span<const std::uint32_t> textures, const Values& reached, Points& n)
+{
+    for (std::size_t k = textures.size(); k-- > 0;) {
+        const Texture& map = set.textures[textures[k]];
+        const Pattern& pattern = set.patterns[map.pattern];
+        for (std::size_t i = 0; i < n.size(); i += kLanes) {
+            const auto within = get(reached, i) > Double(static_cast<double>(k));
+            if (!xsimd::any(within)) continue;
+            const Normals before = normals_at(n, i);
+            Normals after = map.no_bump_scale ? before : before.of_unit_length();
+            for (std::uint32_t w = pattern.warp_count; w-- > 0;)
+                if (const auto* t = std::get_if<Affine>(&set.warps[pattern.first_warp + w]))
+                    after = after.times(glm::transpose(t->linear));
+            if (!map.no_bump_scale) after = after.of_unit_length();
+            after.x = xsimd::select(within, after.x, before.x);
+            after.y = xsimd::select(within, after.y, before.y);
+            after.z = xsimd::select(within, after.z, before.z);
+            after.store(n, i);
+        }
+    }
 }
 
 namespace {

@@ -100,10 +100,11 @@ private:
     std::mt19937& random_;
 };
 
-/// Nests of maps and averages of layers that mirror nothing; some let light through at some places.
+/// Nests of maps and averages of layers that mirror nothing; some let light through at some places. bent: they bend
+/// normals, which go through the space of each map.
 class RandomMaps {
 public:
-    explicit RandomMaps(std::mt19937& random) : random_(random) {}
+    explicit RandomMaps(std::mt19937& random, bool bent = false) : random_(random), bent_(bent) {}
 
     std::string text()
     {
@@ -135,19 +136,34 @@ private:
     {
         return "finish { phong " + number(0, 1) + (random_() % 2 == 0 ? "brilliance 2 metallic } " : "specular .4 } ");
     }
+    std::string normal()
+    {
+        if (!bent_ || random_() % 4 == 0) return "";
+        const char* const kinds[] = {"bumps .6 scale .2 ", "wrinkles .8 rotate 40*y ", "dents .7 ", "granite .4 "};
+        return std::string("normal { ") + kinds[random_() % 4] + "} ";
+    }
+    /// Of a map.
+    std::string placed()
+    {
+        if (!bent_) return "";
+        const char* const ways[] = {"", "rotate 20*x scale <.6,.9,1.2> ", "scale <2,.7,1> ",
+                                    "no_bump_scale scale 1.5 "};
+        return ways[random_() % 8 == 0 ? 3 : random_() % 3];
+    }
     std::string maps(int depth)
     {
-        if (depth == 0 || random_() % 6 == 0) return pigment() + finish();
+        if (depth == 0 || random_() % 6 == 0) return pigment() + normal() + finish();
         if (random_() % 4 == 0) {
             std::string out = "average texture_map { ";
             for (int i = 0; i < 3; ++i) out += "[" + number(.2, 2) + maps(depth - 1) + "] ";
-            return out + "} ";
+            return out + "} " + placed();
         }
         return std::string(random_() % 2 == 0 ? "bozo scale .4" : "gradient x") + " texture_map { [.3 " +
-               maps(depth - 1) + "] [.6 " + maps(depth - 1) + "] [.7 " + maps(depth - 1) + "] } ";
+               maps(depth - 1) + "] [.6 " + maps(depth - 1) + "] [.7 " + maps(depth - 1) + "] } " + placed();
     }
 
     std::mt19937& random_;
+    bool bent_;
 };
 
 }  // namespace
@@ -174,8 +190,8 @@ TEST_CASE("maps of opaque layers are mixed in lanes as hit by hit", "[trace][lig
 {
     std::mt19937 random(21);
     double farthest = 0, brightest = 0;
-    for (int i = 0; i < 20; ++i) {
-        const std::string text = RandomMaps(random).text();
+    for (int i = 0; i < 40; ++i) {
+        const std::string text = RandomMaps(random, i % 2 == 1).text();
         INFO(text);
         const scene::Description description = grammar_test::parsed(text);
         const image::Image lanes = picture_of(description, false), scalar = picture_of(description, true);
