@@ -10,7 +10,7 @@
 namespace plan {
 
 /// Most layers of a texture that are looked up for a whole tile ahead of shading.
-inline constexpr std::uint32_t kPrefetchedLayers = 32;
+inline constexpr std::uint32_t kPrefetchedLayers = 64;
 
 /// The only layer of a texture, if it shades alike for a whole tile.
 struct SingleLayer {

@@ -18,37 +18,76 @@ namespace {
 
 constexpr double kFarthest = 1e17;  // coordinates are held within this after warping
 
-glm::dvec3 orient(double a, double b, double c, const glm::dvec3& o)
+/// A point, or a point a lane (T: a number or vector lanes).
+template <class T>
+struct Place {
+    T x, y, z;
+};
+
+template <class T>
+Place<T> orient(const T& a, const T& b, const T& c, const glm::dvec3& o)
 {
     if (o == glm::dvec3(0, 0, 1)) return {a, b, c};
     return {o.x * c + o.y * a + o.z * a, o.x * b - o.y * c + o.z * b, -o.x * a + o.y * b + o.z * c};
 }
 
-double stretched(double value, double length, double exponent)
+template <class T>
+T stretched(const T& value, const T& length, double exponent)
 {
-    return exponent == 0.0 ? value : value * numbers::pow(length, exponent);
+    return exponent == 0.0 ? value : value * numbers::pow(length, T(exponent));
 }
 
-glm::dvec3 to_spherical(const scene::MappingWarp& w, const glm::dvec3& p)
+/// `to`, but where `length` is 0 the point stays as it is.
+template <class T>
+Place<T> unless_zero(const T& length, const Place<T>& p, const Place<T>& to)
 {
-    const double d = glm::length(p);
-    if (d == 0.0) return p;
-    const double latitude = 0.5 + numbers::asin(p.y / d) / std::numbers::pi;
-    const bool pole = p.x == 0.0 && p.z == 0.0;
-    const double theta = pole ? 0.0 : turn(p.x, p.z);
-    return orient(stretched(theta, d, w.dist_exp), stretched(latitude, d, w.dist_exp), d, w.orientation);
+    const csg::lanes::Truth<T> stays = length == T(0.0);
+    return {csg::lanes::choose(stays, p.x, to.x), csg::lanes::choose(stays, p.y, to.y),
+            csg::lanes::choose(stays, p.z, to.z)};
 }
 
-glm::dvec3 to_toroidal(const scene::MappingWarp& w, const glm::dvec3& p)
+template <class T>
+Place<T> to_cylindrical(const scene::MappingWarp& w, const Place<T>& p)
 {
-    const double l = std::sqrt(p.x * p.x + p.z * p.z);
-    if (l == 0.0) return p;
-    const double x = l - w.major_radius;
-    const double r = std::sqrt(x * x + p.y * p.y);
-    double around = numbers::acos(-x / r) / kTau;
-    if (p.y > 0.0) around = 1.0 - around;
-    const double theta = turn(p.x, p.z);
-    return orient(stretched(theta, r, w.dist_exp), stretched(around, r, w.dist_exp), r, w.orientation);
+    const T l = csg::lanes::root_of(p.x * p.x + p.z * p.z);
+    return unless_zero(l, p, orient(stretched(turn(p.x, p.z), l, w.dist_exp), p.y, l, w.orientation));
+}
+
+template <class T>
+Place<T> to_spherical(const scene::MappingWarp& w, const Place<T>& p)
+{
+    const T zero(0.0), d = csg::lanes::root_of(p.x * p.x + p.y * p.y + p.z * p.z);
+    const T latitude = T(0.5) + numbers::asin(p.y / d) / T(std::numbers::pi);
+    const csg::lanes::Truth<T> on_x = p.x == zero, on_z = p.z == zero;
+    const T theta = csg::lanes::choose(on_x & on_z, zero, turn(p.x, p.z));
+    return unless_zero(d, p,
+                       orient(stretched(theta, d, w.dist_exp), stretched(latitude, d, w.dist_exp), d, w.orientation));
+}
+
+template <class T>
+Place<T> to_toroidal(const scene::MappingWarp& w, const Place<T>& p)
+{
+    const T l = csg::lanes::root_of(p.x * p.x + p.z * p.z), x = l - T(w.major_radius);
+    const T r = csg::lanes::root_of(x * x + p.y * p.y);
+    const T below = numbers::acos(csg::lanes::negated(x) / r) / T(kTau);
+    const T around = csg::lanes::choose(p.y > T(0.0), T(1.0) - below, below), theta = turn(p.x, p.z);
+    return unless_zero(l, p,
+                       orient(stretched(theta, r, w.dist_exp), stretched(around, r, w.dist_exp), r, w.orientation));
+}
+
+/// All but the cube.
+template <class T>
+Place<T> mapped(const scene::MappingWarp& w, const Place<T>& p)
+{
+    using Kind = scene::MappingWarp::Kind;
+    switch (w.kind) {
+    case Kind::Planar: return orient(p.x, p.y, T(w.distance), w.orientation);
+    case Kind::Cylindrical: return to_cylindrical(w, p);
+    case Kind::Spherical: return to_spherical(w, p);
+    case Kind::Toroidal: return to_toroidal(w, p);
+    case Kind::Cubic: break;
+    }
+    return p;
 }
 
 /// The unfolded cube: four sides in a row, top and bottom at the second.
@@ -118,19 +157,9 @@ struct Apply {
 
     glm::dvec3 operator()(const scene::MappingWarp& w) const
     {
-        using Kind = scene::MappingWarp::Kind;
-        switch (w.kind) {
-        case Kind::Planar: return orient(p.x, p.y, w.distance, w.orientation);
-        case Kind::Cylindrical: {
-            const double l = std::sqrt(p.x * p.x + p.z * p.z);
-            if (l == 0.0) return p;
-            return orient(stretched(turn(p.x, p.z), l, w.dist_exp), p.y, l, w.orientation);
-        }
-        case Kind::Spherical: return to_spherical(w, p);
-        case Kind::Toroidal: return to_toroidal(w, p);
-        case Kind::Cubic: return to_cubic(p);
-        }
-        return p;
+        if (w.kind == scene::MappingWarp::Kind::Cubic) return to_cubic(p);
+        const Place<double> to = mapped(w, Place<double>{p.x, p.y, p.z});
+        return {to.x, to.y, to.z};
     }
 };
 
@@ -218,6 +247,17 @@ struct ApplyToAll {
             for (std::size_t k = i; k < std::min(i + csg::lanes::kDoubles, p.size()); ++k) p.set(k, Apply{p.at(k)}(w));
         }
         p.pad();
+    }
+
+    void operator()(const scene::MappingWarp& w) const
+    {
+        if (w.kind == scene::MappingWarp::Kind::Cubic) return one_by_one(w);
+        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+            const Place<Double> to = mapped(w, Place<Double>{get(p.x, i), get(p.y, i), get(p.z, i)});
+            to.x.store_aligned(p.x.data() + i);
+            to.y.store_aligned(p.y.data() + i);
+            to.z.store_aligned(p.z.data() + i);
+        }
     }
 
     template <class Other>

@@ -60,7 +60,7 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
     else p.numbers = {rng.uniform(0.0, 2.0)};
     p.first_warp = static_cast<std::uint32_t>(set.warps.size());
     p.warp_count = static_cast<std::uint32_t>(rng.below(3));
-    for (std::uint32_t i = 0; i < p.warp_count; ++i) switch (rng.below(4)) {
+    for (std::uint32_t i = 0; i < p.warp_count; ++i) switch (rng.below(5)) {
         case 0:
             set.warps.push_back(Affine{glm::dmat3(rng.vector(1.0), rng.vector(1.0), rng.vector(1.0)), rng.vector(1.0)});
             break;
@@ -72,6 +72,11 @@ Pattern random_pattern(Rng& rng, TextureSet& set)
             set.warps.push_back(scene::BlackHoleWarp{rng.vector(1.0), rng.uniform(0.1, 3.0), rng.uniform(0.5, 2.0),
                                                      rng.uniform(0.5, 2.0), rng.flip(),
                                                      rng.flip() ? glm::dvec3(0) : glm::dvec3(0.0, 2.0, 1.5)});
+            break;
+        case 3:
+            set.warps.push_back(scene::MappingWarp{static_cast<scene::MappingWarp::Kind>(rng.below(5)),
+                                                   rng.flip() ? glm::dvec3(0, 0, 1) : rng.vector(1.0), 0.5,
+                                                   rng.flip() ? 0.0 : rng.uniform(-1.0, 1.0), rng.uniform(0.5, 1.5)});
             break;
         default: set.warps.push_back(scene::RepeatWarp{{0, 1.5, 0}, {0.3, 0, 0}, {0, 1, 0}});
         }
