@@ -100,12 +100,11 @@ private:
         hits_ = 0;
         for (std::size_t i = 0; i < photons.size(); ++i) {
             const auto index = static_cast<std::uint32_t>(i);
-            Flying start{{}, photons[i].color, photons[i].depth, index, index};
+            Flying& start = flying_.emplace_back(Flying{RayState{}, photons[i].color, photons[i].depth, index, index});
             start.state.ray = {photons[i].origin, photons[i].direction};
             start.state.start = scene_.tolerance.hit;
             start.state.kind = plan::RayKind::Photon;
             for (const std::uint32_t interior : flight_->interiors) start.state.interiors.append(interior);
-            flying_.push_back(start);
         }
         while (!flying_.empty()) trace_some();
     }
@@ -138,8 +137,13 @@ private:
                (alike || bits(flying_[flying_.size() - 1 - count]) == bits(flying_.back())))
             ++count;
         const std::size_t first = flying_.size() - count;
-        tracing_.assign(flying_.begin() + static_cast<std::ptrdiff_t>(first), flying_.end());
-        flying_.resize(first);
+        if (first == 0) {
+            tracing_.swap(flying_);
+            flying_.clear();
+        } else {
+            tracing_.assign(flying_.begin() + static_cast<std::ptrdiff_t>(first), flying_.end());
+            flying_.resize(first);
+        }
         rays_.count = static_cast<int>(count);
         rays_.common_origin = false;
         for (std::size_t i = 0; i < count; ++i)
@@ -156,6 +160,9 @@ private:
     {
         const plan::Surface& surface = scene_.surfaces[hit.surface];
         const plan::PhotonSurface& rules = plan_.surfaces[surface.photons];
+        // On its way to the target through empty air it ends at all else.
+        if (photon.seeking && rules.target != flight_->target && !rules.pass_through && photon.state.interiors.empty())
+            return;
         const HitDetails details = hit_details(context_, photon.state.ray, hit);
         const bool inside = from_inside(details, photon.state.ray.direction);
         const HitPlace place{

@@ -1,9 +1,12 @@
 #include "render/picture/passes/photon_aim.h"
 
-#include "numbers/functions/functions.h"
+#include "numbers/functions/lane_functions.h"
+#include "numbers/lane_arithmetic.h"
 #include "render/kernel/context/projected.h"
 #include "render/light/illuminate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +15,38 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kCenter = 1e-10;
 
-/// v turned about a unit axis, right-handed.
-glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
+using csg::lanes::Double;
+constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
+
+/// One vector, or one in each lane.
+template <class V>
+struct Vectors {
+    V x, y, z;
+
+    Vectors of_unit_length() const
+    {
+        const V inverse = V(1.0) / csg::lanes::root_of(V(x * x + y * y + z * z));
+        return {x * inverse, y * inverse, z * inverse};
+    }
+};
+
+/// v turned about a unit axis, right-handed, by the angle of this sine and cosine.
+template <class V>
+Vectors<V> turned(const Vectors<V>& v, const glm::dvec3& axis, const numbers::SineAndCosine<V>& angle)
 {
-    const auto [s, c] = numbers::sine_and_cosine(angle);
-    return c * v + s * glm::cross(axis, v) + (1.0 - c) * glm::dot(axis, v) * axis;
+    const V &s = angle.sine, &c = angle.cosine;
+    const V along = (1.0 - c) * (axis.x * v.x + axis.y * v.y + axis.z * v.z);
+    return {c * v.x + s * (axis.y * v.z - v.y * axis.z) + along * axis.x,
+            c * v.y + s * (axis.z * v.x - v.z * axis.x) + along * axis.y,
+            c * v.z + s * (axis.x * v.y - v.x * axis.y) + along * axis.z};
+}
+
+/// The direction at an angle from the way ahead, away from `left`.
+template <class V>
+Vectors<V> aside(const glm::dvec3& ahead, const glm::dvec3& left, const numbers::SineAndCosine<V>& off)
+{
+    const V &s = off.sine, &c = off.cosine;
+    return {c * ahead.x - s * left.x, c * ahead.y - s * left.y, c * ahead.z - s * left.z};
 }
 
 }  // namespace
@@ -63,36 +93,68 @@ bool PhotonAim::ring(JitterStream& jitter, std::vector<Emission>& out)
     const double dphi = theta_ < kCenter ? 2.0 * kPi : parallel_ ? dtheta_ / theta_ : dtheta_ / numbers::sin(theta_);
     const double start = -kPi + dphi * jitter.draw() * 0.5;
     const double end = 2.0 * kPi + start - dphi * 0.5;
+    off_.clear();
+    around_.clear();
     for (double phi = start; phi < end; phi += dphi) {
-        const double around = phi + dphi * (jitter.draw() - 0.5) * jitter_;
-        const double off = theta_ + dtheta_ * (jitter.draw() - 0.5) * jitter_;
-        send(off, around, out);
+        around_.push_back(phi + dphi * (jitter.draw() - 0.5) * jitter_);
+        off_.push_back(theta_ + dtheta_ * (jitter.draw() - 0.5) * jitter_);
     }
+    send_ring(out);
     theta_ += dtheta_;
     ++ring_;
     return true;
 }
 
-void PhotonAim::send(double theta, double phi, std::vector<Emission>& out) const
+void PhotonAim::send_ring(std::vector<Emission>& out)
 {
-    if (parallel_) {
-        const glm::dvec3& l = light_.axis;
-        const glm::dvec3 foot = target_.center - l * glm::dot(l, frame_.toward) * distance_;
-        return send_from(foot + turned(frame_.left * theta, l, phi), l, 1.0f, out);
+    const std::size_t count = off_.size();
+    off_.resize(count + kLanes);  // the last lanes read beyond
+    around_.resize(count + kLanes);
+    const glm::dvec3 ahead = glm::normalize(light_.axis),
+                     foot = target_.center - light_.axis * glm::dot(light_.axis, frame_.toward) * distance_;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Double off = Double::load_unaligned(&off_[i]);
+        const auto around = numbers::sine_and_cosine(Double::load_unaligned(&around_[i]));
+        std::array<double, kLanes> x, y, z;
+        const auto each = [&](const Vectors<Double>& v, auto&& f) {
+            v.x.store_unaligned(x.data());
+            v.y.store_unaligned(y.data());
+            v.z.store_unaligned(z.data());
+            for (std::size_t k = 0; k < std::min(kLanes, count - i); ++k) f(k, glm::dvec3(x[k], y[k], z[k]));
+        };
+        if (parallel_) {
+            const glm::dvec3& left = frame_.left;
+            each(turned<Double>({left.x * off, left.y * off, left.z * off}, light_.axis, around),
+                 [&](std::size_t, const glm::dvec3& from) { send_from(foot + from, ahead, 1.0f, out); });
+            continue;
+        }
+        const auto cone = numbers::sine_and_cosine(off);
+        if (!area_) {
+            each(turned(aside(frame_.toward, frame_.left, cone), frame_.toward, around).of_unit_length(),
+                 [&](std::size_t, const glm::dvec3& way) { send_from(light_.location, way, 1.0f, out); });
+            continue;
+        }
+        std::array<double, kLanes> across, along;
+        cone.sine.store_unaligned(across.data());
+        cone.cosine.store_unaligned(along.data());
+        each({around.sine, around.cosine, off}, [&](std::size_t k, const glm::dvec3& turn) {
+            send_from_area({across[k], along[k]}, {turn.x, turn.y}, out);
+        });
     }
-    const auto [across, along] = numbers::sine_and_cosine(theta);
-    const auto from = [&, across = across, along = along](const Frame& frame, const glm::dvec3& origin, float share) {
-        const glm::dvec3 off = along * frame.toward - across * frame.left;
-        send_from(origin, turned(off, frame.toward, phi), share, out);
-    };
-    if (!area_) return from(frame_, light_.location, 1.0f);
+}
+
+void PhotonAim::send_from_area(const numbers::SineAndCosine<double>& off, const numbers::SineAndCosine<double>& around,
+                               std::vector<Emission>& out) const
+{
     const float share = 1.0f / static_cast<float>(light_.size1 * light_.size2);
     const auto place = [](int i, int size) { return size > 1 ? static_cast<double>(i) / (size - 1) - 0.5 : 0.0; };
     for (int i = 0; i < light_.size1; ++i)
         for (int j = 0; j < light_.size2; ++j) {
             const glm::dvec3 origin = light_.location + place(i, light_.size1) * light_.axis1 +
                                       place(j, light_.size2) * light_.axis2;
-            from(frame(origin), origin, share);
+            const Frame own = frame(origin);
+            const Vectors<double> way = turned(aside(own.toward, own.left, off), own.toward, around).of_unit_length();
+            send_from(origin, {way.x, way.y, way.z}, share, out);
         }
 }
 
@@ -100,7 +162,7 @@ void PhotonAim::send_from(const glm::dvec3& origin, const glm::dvec3& direction,
                           std::vector<Emission>& out) const
 {
     constexpr float kDimmest = 1e-5f;
-    Emission photon{origin, glm::normalize(direction), light_.color * share, 0.0, ring_};
+    Emission photon{origin, direction, light_.color * share, 0.0, ring_};
     if (light_.kind == light::Light::Kind::Spot || (light_.kind == light::Light::Kind::Cylinder && parallel_)) {
         light::Light shape = light_;
         shape.color = glm::vec3(1);

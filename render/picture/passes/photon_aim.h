@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/functions.h"
 #include "render/light/light_set.h"
 #include "render/plan/photons.h"
 #include "render/kernel/gather/random_tables.h"
@@ -39,7 +40,12 @@ private:
         glm::dvec3 toward, left;
     };
     Frame frame(const glm::dvec3& from) const;
-    void send(double theta, double phi, std::vector<Emission>& out) const;
+    /// The photons of the angles in off_ and around_.
+    void send_ring(std::vector<Emission>& out);
+    /// One from each lamp of the area. off, around: the angles from the way to the target and about it.
+    void send_from_area(const numbers::SineAndCosine<double>& off, const numbers::SineAndCosine<double>& around,
+                        std::vector<Emission>& out) const;
+    /// direction: unit.
     void send_from(const glm::dvec3& origin, const glm::dvec3& direction, float share,
                    std::vector<Emission>& out) const;
     bool pass_projector(Emission& photon) const;
@@ -51,6 +57,7 @@ private:
     Frame frame_;
     double distance_ = 0, step_ = 0, dtheta_ = 0, theta_ = 0, theta_end_ = 0;
     std::uint32_t ring_ = 0;
+    std::vector<double> off_, around_;  ///< angles of a ring's photons, radians; from parallel light off_ is a distance
 };
 
 }  // namespace trace
