@@ -3,6 +3,7 @@
 #include "csg/base/points.h"
 #include "csg/freeform/field/blob.h"
 #include "csg/freeform/shared/bernstein.h"
+#include "numbers/sort_few.h"
 
 #include <algorithm>
 #include <cstring>
@@ -157,21 +158,21 @@ struct Blob::Walk {
     /// so that sums are those of a ray that comes from afar.
     void set_ends(double from)
     {
+        End* const last = ends + 2 * stretch_count;
+        End* began = last;  // in the room that their own ends leave
         for (std::uint32_t i = 0; i < stretch_count; ++i) {
             const Stretch& of = stretches[i];
             only_adds = only_adds && of.strength > 0.0;
-            if (!(of.enter < from)) {
-                ends[end_count++] = {of.enter, i, false};
-            } else {
-                std::size_t k = active_count++;
-                for (; k > 0 && stretches[active[k - 1]].enter > of.enter; --k) active[k] = active[k - 1];
-                active[k] = i;
-            }
+            if (!(of.enter < from)) ends[end_count++] = {of.enter, i, false};
+            else *--began = {of.enter, i, false};
             ends[end_count++] = {of.leave, i, true};
         }
-        if (active_count > 0) {
-            const std::uint32_t last = active[--active_count];
-            ends[end_count++] = {stretches[last].enter, last, false};
+        if (began != last) {
+            std::reverse(began, last);
+            put_in_order(began, last);
+            const End latest = last[-1];
+            for (; began != last - 1; ++began) active[active_count++] = began->stretch;
+            ends[end_count++] = latest;
         }
         sort_more();
     }
@@ -179,18 +180,18 @@ struct Blob::Walk {
     /// As many again, in order behind those that are.
     void sort_more()
     {
-        constexpr std::size_t kFirst = 32;
-        const auto before = [](const End& a, const End& b) { return a.t < b.t; };
-        const std::size_t first = sorted;
-        sorted = std::min(end_count, first + std::max(first, kFirst));
-        if (sorted < end_count) std::nth_element(ends + first, ends + sorted, ends + end_count, before);
-        if (sorted - first > kFirst) return std::sort(ends + first, ends + sorted, before);
-        for (std::size_t i = first + 1; i < sorted; ++i) {
-            const End end = ends[i];
-            std::size_t k = i;
-            for (; k > first && before(end, ends[k - 1]); --k) ends[k] = ends[k - 1];
-            ends[k] = end;
-        }
+        End* const first = ends + sorted;
+        sorted = std::min(end_count, sorted + std::max(sorted, numbers::SortFew<End>::kMost));
+        if (sorted < end_count) std::nth_element(first, ends + sorted, ends + end_count, earlier);
+        put_in_order(first, ends + sorted);
+    }
+
+    static bool earlier(const End& a, const End& b) { return a.t < b.t; }
+    static void put_in_order(End* first, End* last)
+    {
+        const auto count = static_cast<std::size_t>(last - first);
+        if (count > numbers::SortFew<End>::kMost) std::sort(first, last, earlier);
+        else numbers::SortFew<End>::sort(first, count);
     }
 
     double last_end() const
