@@ -150,20 +150,25 @@ private:
             count_from(list.from, k);
             here_[k] = (reading >> k & 1u) != 0 ? bound_[k] : 0.0f;
         }
-        for (std::uint32_t at = list.chunk; at != SampleGrid::kNone; at = grid.chunk(at).next) {
-            const SampleGrid::Chunk& chunk = grid.chunk(at);
-            if (chunk.next != SampleGrid::kNone) grid.fetch_chunk(chunk.next);
-            const std::uint32_t close = static_cast<std::uint32_t>(std::popcount(reading)) < chunk.count
-                                            ? close_to_any(chunk, reading)
-                                            : close_to_some(chunk);
-            for (std::uint32_t left = close; left != 0; left &= left - 1)
-                grid.fetch_sample(chunk.number[static_cast<std::size_t>(std::countr_zero(left))]);
-            for (std::uint32_t left = close; left != 0; left &= left - 1) {
-                const auto i = static_cast<std::size_t>(std::countr_zero(left));
-                weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
-            }
-            if ((reading & ~stopped()) == 0) return;
+        for (std::uint32_t at = list.chunk; at != SampleGrid::kNone;)
+            at = grid.with_chunk(at, [&](const auto& chunk) { return read_chunk(grid, chunk, reading); });
+    }
+
+    /// The samples of a chunk for these points. The chunk to go on with.
+    template <class Chunk>
+    std::uint32_t read_chunk(const SampleGrid& grid, const Chunk& chunk, std::uint32_t reading)
+    {
+        if (chunk.next != SampleGrid::kNone) grid.fetch_chunk(chunk.next);
+        const std::uint32_t close = static_cast<std::uint32_t>(std::popcount(reading)) < chunk.count
+                                        ? close_to_any(chunk, reading)
+                                        : close_to_some(chunk);
+        for (std::uint32_t left = close; left != 0; left &= left - 1)
+            grid.fetch_sample(chunk.number[static_cast<std::size_t>(std::countr_zero(left))]);
+        for (std::uint32_t left = close; left != 0; left &= left - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(left));
+            weigh(grid.samples()[chunk.number[i]], {chunk.x[i], chunk.y[i], chunk.z[i]});
         }
+        return (reading & ~stopped()) == 0 ? SampleGrid::kNone : chunk.next;
     }
 
     /// One coordinate of the corner of the list that a point reads.
@@ -182,7 +187,8 @@ private:
     }
 
     /// Samples of the chunk that some point may be near enough to: the points together, sample after sample.
-    std::uint32_t close_to_some(const SampleGrid::Chunk& chunk) const
+    template <class Chunk>
+    std::uint32_t close_to_some(const Chunk& chunk) const
     {
         std::uint32_t close = 0;
         for (std::size_t i = 0; i < chunk.count; ++i) {
@@ -198,25 +204,27 @@ private:
     }
 
     /// The same, the samples together, point after point: where fewer points than samples are at hand.
-    std::uint32_t close_to_any(const SampleGrid::Chunk& chunk, std::uint32_t points) const
+    template <class Chunk>
+    std::uint32_t close_to_any(const Chunk& chunk, std::uint32_t points) const
     {
         // A register may reach over the arrays behind the one that is read, whose lanes do not count.
-        constexpr std::size_t kRead = SampleGrid::kInChunk;
-        static_assert(kRead <= Float::size &&
-                      offsetof(SampleGrid::Chunk, reach) + sizeof(Float) <= sizeof(SampleGrid::Chunk));
-        const auto samples = [&](const std::array<float, kRead>& from) {
-            return Float::load_unaligned(reinterpret_cast<const float*>(&chunk) + (from.data() - chunk.x.data()));
-        };
-        const Float cx = samples(chunk.x), cy = samples(chunk.y), cz = samples(chunk.z), reach = samples(chunk.reach);
+        static_assert(offsetof(Chunk, reach) + sizeof(Float) <= sizeof(Chunk));
         std::uint32_t close = 0;
-        for (; points != 0; points &= points - 1) {
-            const auto k = static_cast<std::size_t>(std::countr_zero(points));
-            const Float x = Float(x_[k]) - cx, y = Float(y_[k]) - cy, z = Float(z_[k]) - cz,
-                        far = Float(here_[k]) * reach;
-            close |= csg::lanes::mask(x * x + y * y + z * z < far * far);
+        for (std::size_t at = 0; at < Chunk::kMost; at += Float::size) {
+            const auto samples = [&](const auto& from) {
+                return Float::load_unaligned(reinterpret_cast<const float*>(&chunk) + (from.data() - chunk.x.data()) +
+                                             at);
+            };
+            const Float cx = samples(chunk.x), cy = samples(chunk.y), cz = samples(chunk.z),
+                        reach = samples(chunk.reach);
+            for (std::uint32_t left = points; left != 0; left &= left - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(left));
+                const Float x = Float(x_[k]) - cx, y = Float(y_[k]) - cy, z = Float(z_[k]) - cz,
+                            far = Float(here_[k]) * reach;
+                close |= csg::lanes::mask(x * x + y * y + z * z < far * far) << at;
+            }
         }
-        close &= (1u << kRead) - 1u;
-        return close;
+        return close & ((1u << Chunk::kMost) - 1u);
     }
 
     static Float load(const Floats& from, std::size_t at) { return Float::load_aligned(from.data() + at); }

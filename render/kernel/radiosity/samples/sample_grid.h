@@ -64,15 +64,20 @@ private:
 class SampleGrid {
 public:
     static constexpr std::uint32_t kNone = 0xffffffffu;  ///< no chunk
-    static constexpr std::size_t kInChunk = 4;           ///< a list has two in the mean where samples lie far apart
 
     /// Samples of one list: points from the list's corner, and reaches. Arrays lie one behind the other, as
     /// close_to_any() needs.
-    struct alignas(16) Chunk {
-        std::array<float, kInChunk> x, y, z, reach;
-        std::array<std::uint32_t, kInChunk> number;
+    template <std::size_t most>
+    struct alignas(most * sizeof(float)) ChunkOf {
+        static constexpr std::size_t kMost = most;
+        std::array<float, most> x{}, y{}, z{}, reach{};
+        std::array<std::uint32_t, most> number;
         std::uint32_t count = 0, next = kNone;
     };
+    /// A list has two samples in the mean where they lie far apart, and all that it has lie in one of these; more are
+    /// in larger ones, one behind the other.
+    using Few = ChunkOf<4>;
+    using Many = ChunkOf<8>;
     /// Cells of one size.
     struct Level {
         int number;
@@ -97,11 +102,19 @@ public:
             if (slots_[at].key == key) return slots_[at].first;
         return kNone;
     }
-    const Chunk& chunk(std::uint32_t number) const { return chunks_[number]; }
+    /// f(chunk), whichever it is; what f returns.
+    template <class F>
+    auto with_chunk(std::uint32_t number, F&& f) const
+    {
+        return (number & kMany) != 0 ? f(many_[number & ~kMany]) : f(few_[number]);
+    }
 
-    /// Asks memory for what find(), chunk() and samples() will look at.
+    /// Asks memory for what find(), with_chunk() and samples() will look at.
     void fetch_list(std::uint64_t key) const { fetch(&slots_[home(key)], sizeof(Slot)); }
-    void fetch_chunk(std::uint32_t number) const { fetch(&chunks_[number], sizeof(Chunk)); }
+    void fetch_chunk(std::uint32_t number) const
+    {
+        with_chunk(number, [](const auto& chunk) { fetch(&chunk, sizeof chunk); });
+    }
     void fetch_sample(std::uint32_t number) const { fetch(&samples_[number], sizeof(Sample)); }
 
     /// radius: of the ball that it is filed for.
@@ -122,7 +135,9 @@ public:
     {
         if (samples_.empty()) return;
         samples_.clear();
-        chunks_.clear();
+        few_.clear();
+        many_.clear();
+        left_.clear();
         for (const std::uint32_t slot : used_) slots_[slot].first = kNone;
         used_.clear();
         levels_.clear();
@@ -133,6 +148,8 @@ private:
         std::uint64_t key = 0;  ///< the place's: two places with one key share a list, which does no harm
         std::uint32_t first = kNone, last = kNone;
     };
+
+    static constexpr std::uint32_t kMany = 0x80000000u;  ///< in the number of a chunk: it is of many_
 
     static void fetch(const void* at, std::size_t size)
     {
@@ -173,30 +190,56 @@ private:
         Slot& slot = slots_[i];
         if (slot.first == kNone) {
             used_.push_back(static_cast<std::uint32_t>(i));
-            slot = {key, new_chunk(), kNone};
+            slot = {key, new_few(), kNone};
             slot.last = slot.first;
-        } else if (chunks_[slot.last].count == kInChunk) {
-            const std::uint32_t fresh = new_chunk();
-            chunks_[slot.last].next = fresh;
+        } else if (slot.last < kMany && few_[slot.last].count == Few::kMost) {
+            const std::uint32_t before = slot.last;
+            slot.first = slot.last = new_many();
+            move(few_[before], many_[slot.last & ~kMany]);
+            few_[before] = {};
+            left_.push_back(before);
+        } else if (slot.last >= kMany && many_[slot.last & ~kMany].count == Many::kMost) {
+            const std::uint32_t fresh = new_many();
+            many_[slot.last & ~kMany].next = fresh;
             slot.last = fresh;
         }
-        Chunk& chunk = chunks_[slot.last];
-        const std::uint32_t k = chunk.count++;
         const glm::vec3 p = relative(sample.point, place);
-        chunk.x[k] = p.x;
-        chunk.y[k] = p.y;
-        chunk.z[k] = p.z;
-        chunk.reach[k] = sample.reach;
-        chunk.number[k] = number;
+        const auto put = [&](auto& chunk) {
+            const std::uint32_t k = chunk.count++;
+            chunk.x[k] = p.x;
+            chunk.y[k] = p.y;
+            chunk.z[k] = p.z;
+            chunk.reach[k] = sample.reach;
+            chunk.number[k] = number;
+        };
+        if (slot.last < kMany) put(few_[slot.last]);
+        else put(many_[slot.last & ~kMany]);
     }
-    std::uint32_t new_chunk()
+    static void move(const Few& from, Many& to)
     {
-        Chunk& chunk = chunks_.emplace_back();
-        chunk.x.fill(0.0f);
-        chunk.y.fill(0.0f);
-        chunk.z.fill(0.0f);
-        chunk.reach.fill(0.0f);
-        return static_cast<std::uint32_t>(chunks_.size() - 1);
+        for (std::size_t k = 0; k < from.count; ++k) {
+            to.x[k] = from.x[k];
+            to.y[k] = from.y[k];
+            to.z[k] = from.z[k];
+            to.reach[k] = from.reach[k];
+            to.number[k] = from.number[k];
+        }
+        to.count = from.count;
+    }
+    std::uint32_t new_few()
+    {
+        if (!left_.empty()) {
+            const std::uint32_t number = left_.back();
+            left_.pop_back();
+            return number;
+        }
+        few_.emplace_back();
+        return static_cast<std::uint32_t>(few_.size() - 1);
+    }
+    std::uint32_t new_many()
+    {
+        many_.emplace_back();
+        return static_cast<std::uint32_t>(many_.size() - 1) | kMany;
     }
     void grow()
     {
@@ -213,8 +256,10 @@ private:
     }
 
     std::vector<Sample> samples_;
-    std::vector<Chunk> chunks_;
-    std::vector<Slot> slots_;  ///< a power of two of them
+    std::vector<Few> few_;
+    std::vector<Many> many_;
+    std::vector<std::uint32_t> left_;  ///< of few_, those whose samples have moved to a larger one
+    std::vector<Slot> slots_;          ///< a power of two of them
     std::vector<std::uint32_t> used_;
     std::vector<Level> levels_;  ///< in use
 };
