@@ -20,8 +20,17 @@ public:
     /// first: of the numbers, which lie `stride` apart
     Table(const float* first, int stride, std::uint32_t entries) : first_(first), stride_(stride), entries_(entries)
     {
-        for (std::uint32_t k = 0; k < entries && is_short(); ++k)
-            numbers_[k] = first[k * static_cast<std::uint32_t>(stride)];
+        if (!is_short()) return;
+#if defined(__AVX2__)
+        // As they are read: numbers that were written by themselves would be waited for.
+        for (std::uint32_t k = 0; k < entries && stride == 1; k += kTogether) {
+            const __m256i there = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(entries - k)),
+                                                     _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+            _mm256_store_ps(numbers_.data() + k, _mm256_maskload_ps(first + k, there));
+        }
+        if (stride == 1) return;
+#endif
+        for (std::uint32_t k = 0; k < entries; ++k) numbers_[k] = first[k * static_cast<std::uint32_t>(stride)];
     }
     bool is_short() const { return entries_ <= kShort; }
 
@@ -29,7 +38,10 @@ public:
     /// Those of eight places.
     __m256 at(const std::uint32_t* places) const
     {
-        const __m256i where = _mm256_load_si256(reinterpret_cast<const __m256i*>(places));
+        return at(_mm256_load_si256(reinterpret_cast<const __m256i*>(places)));
+    }
+    __m256 at(const __m256i& where) const
+    {
         if (!is_short())
             return _mm256_i32gather_ps(first_, _mm256_mullo_epi32(where, _mm256_set1_epi32(stride_)), sizeof(float));
         __m256 out = _mm256_permutevar8x32_ps(_mm256_load_ps(numbers_.data()), where);
@@ -53,22 +65,39 @@ private:
     alignas(32) std::array<float, kShort> numbers_{};
 };
 
-void store_places(const Double& of, std::uint32_t* to)
+// Places are whole numbers in Values; as many as there are in_eights() are read and written.
+
+#if defined(__AVX2__)
+/// Eight of them: whoever reads them next would wait for two halves that were written by themselves.
+__m256i eight_places(const double* at)
 {
-    csg::lanes::store_whole(of, reinterpret_cast<std::int32_t*>(to));
+    return _mm256_set_m128i(_mm256_cvttpd_epi32(_mm256_load_pd(at + 4)), _mm256_cvttpd_epi32(_mm256_load_pd(at)));
+}
+#endif
+
+void store_places(const Values& places, std::size_t count, std::array<std::uint32_t, kMostPoints>& to)
+{
+#if defined(__AVX2__)
+    for (std::size_t i = 0; i < count; i += kTogether)
+        _mm256_store_si256(reinterpret_cast<__m256i*>(to.data() + i), eight_places(places.data() + i));
+#else
+    for (std::size_t i = 0; i < count; i += kLanes)
+        csg::lanes::store_whole(get(places, i), reinterpret_cast<std::int32_t*>(to.data() + i));
+#endif
 }
 
-/// The numbers at places, of as many points as are in_eights().
-void look_up(const Table& table, const std::array<std::uint32_t, kMostPoints>& places, std::size_t count, Values& out)
+/// The numbers at places.
+void look_up(const Table& table, const Values& places, std::size_t count, Values& out)
 {
 #if defined(__AVX2__)
     for (std::size_t i = 0; i < count; i += kTogether) {
-        const __m256 found = table.at(places.data() + i);
+        const __m256 found = table.at(eight_places(places.data() + i));
         _mm256_store_pd(out.data() + i, _mm256_cvtps_pd(_mm256_castps256_ps128(found)));
         _mm256_store_pd(out.data() + i + 4, _mm256_cvtps_pd(_mm256_extractf128_ps(found, 1)));
     }
 #else
-    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<double>(table.at(places[i]));
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = static_cast<double>(table.at(static_cast<std::uint32_t>(places[i])));
 #endif
 }
 
@@ -88,12 +117,11 @@ void count_below(const float* keys, std::uint32_t entries, const Table& table, c
         return;
     }
     std::fill_n(out.data(), count, 0.0);
-    Values found;
-    alignas(64) std::array<std::uint32_t, kMostPoints> last;
+    Values found, last;
     for (std::uint32_t step = std::bit_floor(entries); step > 0; step /= 2) {
         const Double by(static_cast<double>(step));
         for (std::size_t i = 0; i < count; i += kLanes)
-            store_places(xsimd::min(get(out, i) + by, all) - one, last.data() + i);
+            (xsimd::min(get(out, i) + by, all) - one).store_aligned(last.data() + i);
         look_up(table, last, count, found);
         for (std::size_t i = 0; i < count; i += kLanes) {
             const Double below = get(out, i), more = below + by;
@@ -110,22 +138,23 @@ void blend_points(const float* keys, std::uint32_t entries, const Values& values
     const Double first_key(static_cast<double>(keys[0])), last_key(static_cast<double>(keys[entries - 1])), zero(0.0),
         one(1.0), last(static_cast<double>(entries - 1));
     const Table table(keys, 1, entries);
-    Values place, low, high;
+    Values place, below, low, high;
     count_below(keys, entries, table, values, count, place);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Double at = xsimd::select(get(values, i) >= last_key, last, get(place, i));
         at.store_aligned(place.data() + i);
-        store_places(at, out.upper.data() + i);
-        store_places(xsimd::max(at - one, zero), out.lower.data() + i);
+        xsimd::max(at - one, zero).store_aligned(below.data() + i);
     }
-    look_up(table, out.lower, count, low);
-    look_up(table, out.upper, count, high);
+    look_up(table, below, count, low);
+    look_up(table, place, count, high);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Double v = get(values, i), at = get(place, i), from = get(low, i), to = get(high, i);
         const auto between = (v > first_key) & (v < last_key) & (v != to);
         xsimd::select(between, (v - from) / (to - from), zero).store_aligned(out.share.data() + i);
-        store_places(xsimd::select(between, at - one, at), out.lower.data() + i);
+        xsimd::select(between, at - one, at).store_aligned(below.data() + i);
     }
+    store_places(place, count, out.upper);
+    store_places(below, count, out.lower);
 }
 
 /// One component of the colours: mix() of the two entries.

@@ -290,24 +290,42 @@ struct Group {
     }
 };
 
+/// Whether these points show the entry and no other.
+bool of_one_entry(const BlendPoints& blends, std::uint32_t entry, std::uint64_t points)
+{
+    return (points & ~(csg::lanes::equal(blends.lower, entry) & csg::lanes::equal(blends.upper, entry))) == 0;
+}
+
 /// Each child for the points that need it, once; then the mixture.
 void mapped_colors(const TextureSet& set, const Pigment& pigment, const BlendPoints& blends, const Points& p,
                    const Around& around, ColorPoints& out)
 {
     ColorPoints upper, found;
     Group group;
+    const std::uint64_t all = first_bits(p.size());
+    bool mixed = true;
     each_entry(blends, pigment.count, p.size(), [&](std::uint32_t entry, std::uint64_t which) {
+        const std::uint32_t child = set.children[pigment.first + entry];
+        const auto owner_gets = [&](std::size_t i, const scene::Color& c) {
+            (blends.lower[i] == entry ? out : upper).set(i, c);
+        };
+        if (which == all && of_one_entry(blends, entry, all)) {
+            mixed = false;
+            return pigment_colors(set, child, p, around, out);
+        }
+        if (set.pigments[child].kind == Pigment::Kind::Solid) {
+            for (; which != 0; which &= which - 1)
+                owner_gets(static_cast<std::size_t>(std::countr_zero(which)), set.pigments[child].color);
+            return;
+        }
         group.points.count = 0;
         group.points.density = p.density;
         for (; which != 0; which &= which - 1) group.add(p, around, static_cast<std::size_t>(std::countr_zero(which)));
         group.points.pad();
-        pigment_colors(set, set.children[pigment.first + entry], group.points, group.around, found);
-        for (std::size_t k = 0; k < group.points.size(); ++k) {
-            const std::size_t i = group.owner[k];
-            (blends.lower[i] == entry ? out : upper).set(i, found.at(k));
-        }
+        pigment_colors(set, child, group.points, group.around, found);
+        for (std::size_t k = 0; k < group.points.size(); ++k) owner_gets(group.owner[k], found.at(k));
     });
-    for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t i = 0; mixed && i < p.size(); ++i)
         if (blends.lower[i] != blends.upper[i])
             out.set(i, mix(set.working, pigment.blending, out.at(i), upper.at(i), blends.share[i]));
 }
