@@ -101,10 +101,8 @@ private:
             });
         case JuliaTerms::Function::Cube:
             return quaternions<V>(q, asked, stepping, 3.0, [&](const Four& p) {
-                const Double n = p.y * p.y + p.z * p.z + p.w * p.w, real = p.x * p.x,
-                             other = Double(3.0) * real - n;
-                return Four{p.x * (real - Double(3.0) * n) + cx, p.y * other + cy, p.z * other + cz,
-                            p.w * other + cw};
+                const Double n = p.y * p.y + p.z * p.z + p.w * p.w, real = p.x * p.x, other = Double(3.0) * real - n;
+                return Four{p.x * (real - Double(3.0) * n) + cx, p.y * other + cy, p.z * other + cz, p.w * other + cw};
             });
         case JuliaTerms::Function::HyperSquare: return hypercomplex<V, true>(q, asked, stepping, square);
         case JuliaTerms::Function::HyperCube: return hypercomplex<V, false>(q, asked, stepping, square);
