@@ -3,7 +3,7 @@
 #include "csg/base/points.h"
 #include "csg/freeform/field/blob.h"
 #include "csg/freeform/shared/bernstein.h"
-#include "numbers/sort_few.h"
+#include "csg/freeform/shared/sort_few.h"
 
 #include <algorithm>
 #include <cstring>
@@ -181,7 +181,7 @@ struct Blob::Walk {
     void sort_more()
     {
         End* const first = ends + sorted;
-        sorted = std::min(end_count, sorted + std::max(sorted, numbers::SortFew<End>::kMost));
+        sorted = std::min(end_count, sorted + std::max(sorted, SortFew<End>::kMost));
         if (sorted < end_count) std::nth_element(first, ends + sorted, ends + end_count, earlier);
         put_in_order(first, ends + sorted);
     }
@@ -190,8 +190,8 @@ struct Blob::Walk {
     static void put_in_order(End* first, End* last)
     {
         const auto count = static_cast<std::size_t>(last - first);
-        if (count > numbers::SortFew<End>::kMost) std::sort(first, last, earlier);
-        else numbers::SortFew<End>::sort(first, count);
+        if (count > SortFew<End>::kMost) std::sort(first, last, earlier);
+        else SortFew<End>::sort(first, count);
     }
 
     double last_end() const

@@ -1,4 +1,4 @@
-#include "numbers/sort_few.h"
+#include "csg/freeform/shared/sort_few.h"
 #include "tests/numbers/arguments.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ struct Item {
 
 }  // namespace
 
-TEST_CASE("a few items are put in order, and those that are equal stay as they were", "[numbers]")
+TEST_CASE("a few items are put in order, and those that are equal stay as they were", "[csg][sort]")
 {
     numbers_test::Rng rng(7);
     const auto some = [&](double count) { return static_cast<std::size_t>(rng.between(0.0, count)); };
@@ -37,7 +37,7 @@ TEST_CASE("a few items are put in order, and those that are equal stay as they w
         }
         std::vector<Item> sorted = items;
         std::stable_sort(sorted.begin(), sorted.end(), [](const Item& a, const Item& b) { return a.t < b.t; });
-        numbers::SortFew<Item>::sort(items.data(), items.size());
+        csg::SortFew<Item>::sort(items.data(), items.size());
         INFO("round " << round);
         for (std::size_t i = 0; i < items.size(); ++i) REQUIRE(items[i].place == sorted[i].place);
     }

@@ -6,7 +6,7 @@
 #include <cstring>
 
 /// A few numbers in order, with what belongs to them, without a branch that depends on them.
-namespace numbers {
+namespace csg {
 
 /// Bitonic sorting (Batcher, "Sorting networks and their applications", 1968) of 4 x `rows` numbers; number i stands in
 /// row i % rows, so that those which are compared mostly stand in two rows.
@@ -133,4 +133,4 @@ private:
     static constexpr double kBeyond = 1.7e308;
 };
 
-}  // namespace numbers
+}  // namespace csg
