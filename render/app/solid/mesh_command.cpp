@@ -143,7 +143,7 @@ private:
         measuring.precision = 1e-3;
         measuring.most_rays = 4'000'000;
         measuring.cancel = &cancel_.requested;
-        const solid::Measures measures = solid::measure(body, measuring);
+        const solid::Measures measures = solid::measure_within(body, extent, extent_error, measuring);
         const double seconds = std::chrono::duration<double>(PartClock::now() - start).count();
         report(part, made, found, measures, seconds);
         if (!found.good()) {

@@ -12,9 +12,13 @@
 namespace solid {
 namespace {
 
-constexpr int kRuns = 8;            // independent estimates whose scatter tells the error
-constexpr double kStudent = 5.408;  // 99.9 % of Student's t with kRuns - 1 degrees of freedom
-constexpr int kFirstCells = 32, kExtentCells = 64, kExtentSteps = 40;
+constexpr int kRuns = 8;                // independent estimates whose scatter tells the error
+constexpr double kStudent = 5.408;      // 99.9 % of Student's t with kRuns - 1 degrees of freedom
+constexpr std::uint64_t kOfTask = 256;  // rays
+constexpr double kFalls = 0.75;         // errors fall with this power of the number of rays where outlines are curved
+constexpr double kSpare = 1.2;          // as errors are themselves known to a quarter or so
+constexpr int kMostClimb = 3;           // steps at once: few rays tell errors badly, and smooth ones fall faster
+constexpr int kExtentCells = 64, kExtentSteps = 40;
 
 /// Moments of order 0, 1 and 2, and the surface.
 struct Sums {
@@ -40,20 +44,42 @@ glm::dvec3 unit(int axis)
     return d;
 }
 
-/// A row of rays along one axis, one in a random place of each cell.
-Sums row(const Body& body, const csg::Aabb& box, int axis, int run, int cells, int j, std::vector<Chord>& chords)
+/// How many rays a run sends along an axis: Fibonacci's numbers from 987 on.
+class Ladder {
+public:
+    std::uint64_t rays() const { return rays_; }
+    std::uint64_t step() const { return before_; }
+    /// Of all runs along all axes.
+    std::uint64_t all() const { return 3 * kRuns * rays_; }
+    void climb()
+    {
+        const std::uint64_t sum = rays_ + before_;
+        before_ = rays_;
+        rays_ = sum;
+    }
+
+private:
+    std::uint64_t rays_ = 987, before_ = 610;
+};
+
+/// Some rays along one axis, in the places of Fibonacci's lattice, which a run shifts by random amounts.
+Sums some_rays(const Body& body, const csg::Aabb& box, int axis, int run, const Ladder& ladder, std::uint64_t first,
+               std::vector<Chord>& chords)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const glm::dvec3 size = box.upper - box.lower, direction = unit(axis);
+    const std::uint64_t rays = ladder.rays(), last = std::min(rays, first + kOfTask);
+    const std::uint64_t key = (static_cast<std::uint64_t>(axis * kRuns + run) << 32U) + 2U * rays;
+    const double right = jitter(key), up = jitter(key + 1), one_of = 1.0 / static_cast<double>(rays);
+    const auto place = [&](std::uint64_t k, double shift) {
+        const double x = static_cast<double>(k) * one_of + shift;
+        return x < 1.0 ? x : x - 1.0;
+    };
     Sums sums;
-    for (int i = 0; i < cells; ++i) {
-        const std::uint64_t key =
-            ((static_cast<std::uint64_t>(axis * kRuns + run) * 65536u + static_cast<std::uint64_t>(j)) * 65536u +
-             static_cast<std::uint64_t>(i)) *
-            2u;
+    for (std::uint64_t i = first; i < last; ++i) {
         glm::dvec3 p = box.lower;
-        p[u] += size[u] * (i + jitter(key)) / cells;
-        p[v] += size[v] * (j + jitter(key + 1)) / cells;
+        p[u] += size[u] * place(i, right);
+        p[v] += size[v] * place(i * ladder.step() % rays, up);
         body.chords(p, direction, -csg::kInfinity, csg::kInfinity, chords);
         const double a = p[u], b = p[v], base = p[axis];
         for (const Chord& chord : chords) {
@@ -75,8 +101,7 @@ Sums row(const Body& body, const csg::Aabb& box, int axis, int run, int cells, i
             }
         }
     }
-    const double cell = size[u] * size[v] / (static_cast<double>(cells) * cells);
-    return sums.scaled(cell);
+    return sums.scaled(size[u] * size[v] * one_of);
 }
 
 struct Estimate {
@@ -93,22 +118,21 @@ struct Estimate {
     }
 };
 
-Estimate estimate(const Body& body, const csg::Aabb& box, int cells, const std::atomic<bool>* cancel)
+Estimate estimate(const Body& body, const csg::Aabb& box, const Ladder& ladder, const std::atomic<bool>* cancel)
 {
-    std::vector<Sums> rows(static_cast<std::size_t>(3 * kRuns * cells));
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size()), [&](const auto& range) {
+    const std::size_t tasks = (ladder.rays() + kOfTask - 1) / kOfTask;
+    std::vector<Sums> parts(3 * kRuns * tasks);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size()), [&](const auto& range) {
         std::vector<Chord> chords;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (cancel != nullptr && *cancel) throw csg::Cancelled();
-            const int j = static_cast<int>(i) % cells, k = static_cast<int>(i) / cells;
-            rows[i] = row(body, box, k % 3, k / 3, cells, j, chords);
+            const int k = static_cast<int>(i / tasks);
+            parts[i] = some_rays(body, box, k % 3, k / 3, ladder, i % tasks * kOfTask, chords);
         }
     });
     Estimate out;
-    for (std::size_t i = 0; i < rows.size(); ++i) {  // in order: the same sum whatever the threads
-        const std::size_t k = i / static_cast<std::size_t>(cells);
-        out.of[k / 3][k % 3].add(rows[i]);
-    }
+    for (std::size_t i = 0; i < parts.size(); ++i)  // in order: the same sum whatever the threads
+        out.of[i / tasks / 3][i / tasks % 3].add(parts[i]);
     return out;
 }
 
@@ -239,8 +263,19 @@ csg::Aabb require_extent(const Body& body, double& error, std::uint64_t& rays)
 
 Measures measure(const Body& body, const MeasureOptions& options)
 {
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = require_extent(body, error, rays);
+    Measures out = measure_within(body, extent, error, options);
+    out.rays += rays;
+    return out;
+}
+
+Measures measure_within(const Body& body, const csg::Aabb& extent, double extent_error, const MeasureOptions& options)
+{
     Measures out;
-    out.extent = require_extent(body, out.extent_error, out.rays);
+    out.extent = extent;
+    out.extent_error = extent_error;
     out.empty = false;
     // Rays have to meet all of it: a little beyond what was met, within what is known.
     csg::Aabb box = out.extent;
@@ -248,18 +283,27 @@ Measures measure(const Body& body, const MeasureOptions& options)
     const glm::dvec3 margin = glm::max(size, glm::dvec3(1e-3 * glm::max(size.x, glm::max(size.y, size.z)))) * 0.01 +
                               out.extent_error;
     box = csg::Aabb{box.lower - margin, box.upper + margin}.intersected(body.bounds());
-    for (int cells = kFirstCells;; cells *= 2) {
-        const Estimate found = estimate(body, box, cells, options.cancel);
-        out.rays += static_cast<std::uint64_t>(3 * kRuns) * static_cast<std::uint64_t>(cells) *
-                    static_cast<std::uint64_t>(cells);
+    for (Ladder ladder;;) {
+        const Estimate found = estimate(body, box, ladder, options.cancel);
+        out.rays += ladder.all();
         fill(found, out);
         const double off = glm::max(out.centre_error.x, glm::max(out.centre_error.y, out.centre_error.z));
-        const bool near = off <= options.precision * glm::length(out.extent.upper - out.extent.lower) &&
-                          out.volume.error <= options.precision * out.volume.value &&
-                          out.surface.error <= options.precision * out.surface.value;
-        const std::uint64_t next = static_cast<std::uint64_t>(12 * kRuns) * static_cast<std::uint64_t>(cells) *
-                                   static_cast<std::uint64_t>(cells);
-        if (near || out.rays + next > options.most_rays) return out;
+        // How many times as far off it is as it may be.
+        const double times = std::max({off / (options.precision * glm::length(out.extent.upper - out.extent.lower)),
+                                       out.volume.error / (options.precision * out.volume.value),
+                                       out.surface.error / (options.precision * out.surface.value)});
+        if (times <= 1.0) return out;
+        // As many rays at once as shall be enough, of those that there are.
+        const double enough = std::pow(kSpare * times, 1.0 / kFalls) * static_cast<double>(ladder.rays());
+        Ladder next = ladder;
+        for (int k = 0; k < kMostClimb && static_cast<double>(next.rays()) < enough; ++k) {
+            Ladder higher = next;
+            higher.climb();
+            if (out.rays + higher.all() > options.most_rays) break;
+            next = higher;
+        }
+        if (next.rays() == ladder.rays()) return out;
+        ladder = next;
     }
 }
 

@@ -32,6 +32,9 @@ struct MeasureOptions {
 /// Throws NoBody where there is no inside or no end, csg::Cancelled.
 Measures measure(const Body& body, const MeasureOptions& options = {});
 
+/// The same of a body whose extent is known, as require_extent() tells it.
+Measures measure_within(const Body& body, const csg::Aabb& extent, double extent_error, const MeasureOptions& options);
+
 /// The box that rays meet, on a grid of `cells` of them along the longest side, in directions of all axes: ends of
 /// chords, and then nearer about the outermost of each side. `error`: what the last step brought.
 csg::Aabb met_extent(const Body& body, int cells, double& error, std::uint64_t& rays);
