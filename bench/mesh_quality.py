@@ -59,12 +59,12 @@ def least_angles(v, t):
     return np.min([degrees_between(a[k], -a[k - 1]) for k in range(3)], 0)
 
 
-def ball(points, _):
+def ball(points, *_):
     """Distance from the ball, and its normal."""
     return np.abs(np.linalg.norm(points, axis=1) - 1), unit(points)
 
 
-def bored(points, towards):
+def bored(points, towards, *_):
     """Distance from the bored box, and the normal of the nearest face that looks most as `towards`; the bore's axis is z, as files have it."""
     r = np.hypot(points[:, 0], points[:, 1])
     gaps = [np.abs(r - 0.5)] + [np.abs(s * points[:, k] - 1) for k in range(3) for s in (1, -1)]
@@ -76,7 +76,7 @@ def bored(points, towards):
     return least, np.stack(normals)[facing.argmax(0), np.arange(len(points))]
 
 
-def chain(points, _):
+def chain(points, *_):
     """Distance from the nearest of five rings, and its normal."""
     gaps, normals = [], []
     for i in range(-2, 3):
@@ -91,17 +91,22 @@ def chain(points, _):
     return gaps.min(0), np.stack(normals)[gaps.argmin(0), np.arange(len(points))]
 
 
-def traced(whittle, scene, folder, points, towards, reach):
-    """The same of the scene's object by its own trace(): met from `reach` outside, along the normal; NaN where nothing is met."""
+def traced(whittle, scene, folder, points, towards, reach, thin=False):
+    """The same of the scene's object by its own trace(): met from `reach` outside, along the normal; NaN where nothing is met. `thin`: of what is met along
+    it and against it, begun farther and nearer, the nearest, as a line that begins beyond a wall or a gap, which letters have, meets another face first."""
+    starts = [s * k * reach for k in (1, 0.1, 0.01) for s in (1, -1)] if thin else [reach]
     name = OBJECTS.get(scene.stem, scene.stem.capitalize())
-    start = points + reach * towards
-    rows = np.concatenate([start, towards], 1)[:, [0, 2, 1, 3, 5, 4]]
+    rows = np.concatenate([points, towards], 1)[:, [0, 2, 1, 3, 5, 4]]
     (folder / "asked.txt").write_text(",\n".join(", ".join(f"{x:.12g}" for x in r) for r in rows) + "\n")
     (folder / "ask.pov").write_text(
         f'#include "{scene}"\n#fopen In "{folder}/asked.txt" read\n#fopen Out "{folder}/answers.txt" write\n'
-        f"#while (defined(In)) #read (In, A, B, C, D, E, F)\n#declare N = <0, 0, 0>;\n"
-        f"#declare P = trace({name}, <A, B, C>, -<D, E, F>, N);\n#if (vlength(N) = 0) #declare P = <9e9, 9e9, 9e9>; #end\n"
-        f'#write (Out, vstr(3, P, " ", 0, 12), " ", vstr(3, N, " ", 0, 12), "\\n")\n#end\n#fclose Out\n')
+        f"#declare Reach = array[{len(starts)}] {{ {', '.join(map(str, starts))} }}\n"
+        f"#while (defined(In)) #read (In, A, B, C, D, E, F)\n"
+        f"#declare P = <A, B, C>; #declare Along = <D, E, F>; #declare Best = <9e9, 9e9, 9e9>; #declare Normal = <0, 0, 0>;\n"
+        f"#for (K, 0, {len(starts) - 1})\n#declare N = <0, 0, 0>;\n"
+        f"#declare Q = trace({name}, P + Reach[K] * Along, (Reach[K] > 0 ? -1 : 1) * Along, N);\n"
+        f"#if (vlength(N) > 0 & vlength(Q - P) < vlength(Best - P)) #declare Best = Q; #declare Normal = N; #end\n#end\n"
+        f'#write (Out, vstr(3, Best, " ", 0, 12), " ", vstr(3, Normal, " ", 0, 12), "\\n")\n#end\n#fclose Out\n')
     subprocess.run([whittle, str(folder / "ask.pov"), "+W4", "+H3", "-D", f"+O{folder}/ask.png", f"+L{scene.parent}"], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
     answers = np.loadtxt(folder / "answers.txt")[:, [0, 2, 1, 3, 5, 4]]
@@ -116,7 +121,7 @@ def exact_of(whittle, scene, folder, tolerance):
     """A function that tells distances and normals, and whether it may be asked for all."""
     if scene.stem in ("ball", "bored", "chain"):
         return {"ball": ball, "bored": bored, "chain": chain}[scene.stem], True
-    return (lambda p, n: traced(whittle, scene, folder, p, n, 2 * float(tolerance))), False
+    return (lambda p, n, thin=False: traced(whittle, scene, folder, p, n, 2 * float(tolerance), thin)), False
 
 
 def judged(vertices, triangles, exact, all_of_them, samples, normals=None):
@@ -127,7 +132,7 @@ def judged(vertices, triangles, exact, all_of_them, samples, normals=None):
     most = max(len(triangles), len(vertices)) if all_of_them else samples
     some_faces, some_vertices = random.permutation(len(triangles))[:most], random.permutation(len(vertices))[:most]
     middles = vertices[triangles[some_faces]].mean(1)
-    sunk, above = exact(middles, unit(faces[some_faces]))
+    sunk, above = exact(middles, unit(faces[some_faces]), True)
     facing = degrees_between(faces[some_faces], above)
     facing = facing[np.linalg.norm(above, axis=1) > 0.5]
     # A vertex is looked at along the mean of its triangles.
