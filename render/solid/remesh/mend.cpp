@@ -180,8 +180,11 @@ bool Remesher::fill_hole(const std::vector<Index>& triangles, const std::vector<
         for (const std::size_t i : edges) shortest = std::min(shortest, lengths_[mesh_.tail(rim[i])]);
         lengths_.push_back(shortest);
         normals_.emplace_back(0.0);
+        on_edge_.push_back(0);
     }
     const Index fresh = mesh_.replace(triangles, made, facing);
+    fresh_.resize(mesh_.triangles());
+    for (Index h = 3 * fresh; h < 3 * mesh_.triangles(); ++h) touch_about(mesh_.tail(h));
     for (Index f = fresh; f < mesh_.triangles(); ++f)
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
             if (mesh_.head(h) == hub || mesh_.tail(h) == hub) {

@@ -12,6 +12,7 @@ constexpr double kStill = 0.06;    // of the shortest edge: steps that are not w
 constexpr double kStep = 0.7;      // of the way to the middle of the neighbours
 constexpr double kSettled = 10.0;  // tolerances: vertices are no farther from where they belong
 constexpr double kLean = 0.966;    // cosine of 15 degrees: moves make no sharper angle
+constexpr double kStays = 1e-4;    // of the tolerance: shorter moves are none
 
 }  // namespace
 
@@ -100,6 +101,21 @@ bool Remesher::may_move(Index v, const glm::dvec3& to) const
     return will_be_thin <= thin || normals_[v] == glm::dvec3(0.0);
 }
 
+/// Whether a vertex is on the surface, or on the edge or corner that it belongs to, by a ray that told so.
+bool Remesher::is_placed(Index v) const
+{
+    return kinds_[v] == Kind::Smooth ? normals_[v] != glm::dvec3(0.0) : on_edge_[v] != 0;
+}
+
+void Remesher::put(Index v, const Move& move)
+{
+    // What stays where it was changes nothing for the triangles about it.
+    if (glm::length(move.place - mesh_.places[v]) > kStays * options_.tolerance || !is_placed(v)) touch_about(v);
+    mesh_.places[v] = move.place;
+    normals_[v] = move.normal;
+    on_edge_[v] = 1;
+}
+
 /// All vertices go where they belong, whatever becomes of their triangles: those about sharp edges are set right later.
 void Remesher::settle(bool all)
 {
@@ -107,11 +123,9 @@ void Remesher::settle(bool all)
     each(mesh_.vertices(), [&](Index v) {
         if (mesh_.has_vertex(v) && (all || kinds_[v] != Kind::Smooth)) moves[v] = moved(v, mesh_.places[v]);
     });
-    for (Index v = 0; v < mesh_.vertices(); ++v) {
-        if (!moves[v].found || glm::length(moves[v].place - mesh_.places[v]) > kSettled * options_.tolerance) continue;
-        mesh_.places[v] = moves[v].place;
-        normals_[v] = moves[v].normal;
-    }
+    for (Index v = 0; v < mesh_.vertices(); ++v)
+        if (moves[v].found && glm::length(moves[v].place - mesh_.places[v]) <= kSettled * options_.tolerance)
+            put(v, moves[v]);
     face_again();
 }
 
@@ -121,20 +135,27 @@ void Remesher::move_all(bool smooth)
     std::vector<Move> moves(mesh_.vertices());
     each(mesh_.vertices(), [&](Index v) {
         if (!mesh_.has_vertex(v)) return;
+        if (smooth) {
+            bool fresh = false;
+            mesh_.each_out(v, [&](Index h) { fresh = fresh || (fresh_[h / 3] & kMove) != 0; });
+            if (!fresh) return;
+        }
         const glm::dvec3 to = smooth ? wanted_place(v) : mesh_.places[v];
         // A vertex that is where it belongs costs no ray.
-        if (normals_[v] != glm::dvec3(0.0) && glm::length(to - mesh_.places[v]) < kStill * shortest_edge(v)) return;
+        if ((smooth || kinds_[v] == Kind::Smooth) && is_placed(v) &&
+            glm::length(to - mesh_.places[v]) < kStill * shortest_edge(v))
+            return;
         moves[v] = moved(v, to);
     });
+    seen_by(kMove);
     for (Index v = 0; v < mesh_.vertices(); ++v) {
         if (!mesh_.has_vertex(v) || !moves[v].found) continue;
         if (!may_move(v, moves[v].place)) {
-            if (!smooth || normals_[v] != glm::dvec3(0.0)) continue;
+            if (!smooth || is_placed(v)) continue;
             moves[v] = moved(v, mesh_.places[v]);
             if (!moves[v].found || !may_move(v, moves[v].place)) continue;
         }
-        mesh_.places[v] = moves[v].place;
-        normals_[v] = moves[v].normal;
+        put(v, moves[v]);
     }
     face_again();
 }

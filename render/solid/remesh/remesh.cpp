@@ -15,6 +15,7 @@ constexpr std::array<double, 2> kCoarser{3.0, 2.0};
 constexpr double kOffShare = 0.5;                          // of the tolerance: the aim, as not all places are looked at
 constexpr double kFolded = 0.5;                            // cosine of 60 degrees: a mesh with such a triangle is none
 constexpr double kTurnedAway = 0.906;                      // of 25: edges are looked for again
+constexpr double kAway = 0.966;                            // of 15: such triangles are cut out
 constexpr double kLeastLength = 1e-3;                      // of the body's size
 constexpr std::size_t kMostTimes = 3, kMostMore = 20'000;  // triangles made, as against those that there were
 constexpr int kRounds = 6, kMoreRounds = 2, kCorrections = 3, kMends = 4;
@@ -59,12 +60,15 @@ bool Remesher::take(const TriangleMesh& mesh)
 {
     if (!mesh_.take(mesh)) return false;
     normals_.assign(mesh_.vertices(), glm::dvec3(0.0));
+    on_edge_.assign(mesh_.vertices(), 0);
+    touch_all();
     most_triangles_ = kMostTimes * mesh.triangles.size() + kMostMore;
     return true;
 }
 
 void Remesher::look_at_surface()
 {
+    touch_all();
     find_facing();
     find_sharp();
     tidy_sharp();
@@ -80,9 +84,9 @@ bool Remesher::run()
         tidy_sharp();
         collapse_short();
         split_long();
-        flip_better(all_edges());
+        flip_better(edges_for(kFlip));
         move_all(true);
-        flip_better(all_edges());
+        flip_better(edges_for(kFlip));
         unfold();
     };
     for (int i = 0; i < kRounds && !overrun_; ++i) {
@@ -101,8 +105,9 @@ bool Remesher::run()
         }
         for (int k = 0; k < kMoreRounds; ++k) round();
     }
-    for (int i = 0; i < kMends && !overrun_ && mend(folded(kFolded)) > 0; ++i)
+    for (int i = 0; i < kMends && !overrun_ && mend(folded(kAway)) > 0; ++i)
         for (int k = 0; k < kMoreRounds; ++k) round();
+    flip_to_face();
     move_all(false);
     return !overrun_;
 }

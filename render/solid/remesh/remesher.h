@@ -40,6 +40,7 @@ private:
     void follow_edge(Index v);
     void take_side(Index f, const glm::dvec3& normal);
     int sharp_edges(Index v) const;
+    void count_sharp(std::vector<std::uint8_t>& counts) const;
     void find_kinds();
     void find_lengths();
     void grade_lengths();
@@ -52,12 +53,27 @@ private:
     bool is_longest(Index h) const;
     std::size_t split_long();
     std::size_t collapse_short();
-    std::vector<Index> all_edges() const;
     /// Of some edges, and of those about what was flipped.
     std::size_t flip_better(std::vector<Index> waiting);
     std::size_t unfold();
+    void flip_to_face();
     bool may_collapse(Index h, bool unfolding) const;
     bool may_flip(Index h) const;
+
+    /// \name what changed: a step that found nothing to do for a triangle need not ask again until it changes
+    enum Step : std::uint8_t { kFace = 1, kSplit = 2, kFlip = 4, kCollapse = 8, kMove = 16, kAllSteps = 31 };
+    void touch(Index f) { fresh_[f] = kAllSteps; }
+    void touch_about(Index v)
+    {
+        mesh_.each_out(v, [&](Index h) { touch(h / 3); });
+    }
+    void touch_all() { fresh_.assign(mesh_.triangles(), kAllSteps); }
+    void seen_by(Step step)
+    {
+        for (std::uint8_t& f : fresh_) f = static_cast<std::uint8_t>(f & ~step);
+    }
+    /// Of edges that a step is to look at, which has seen them then.
+    std::vector<Index> edges_for(Step step);
 
     /// \name mend.cpp: folds that no step unfolds
     std::vector<Index> folded(double cosine) const;
@@ -75,6 +91,8 @@ private:
     Move beside(Index v) const;
     glm::dvec3 wanted_place(Index v) const;
     bool may_move(Index v, const glm::dvec3& to) const;
+    bool is_placed(Index v) const;
+    void put(Index v, const Move& move);
     void move_all(bool smooth);
     void settle(bool all);
 
@@ -108,12 +126,14 @@ private:
     double least_ = 0.0;  ///< edges are not made shorter
     HalfEdges mesh_;
     std::size_t most_triangles_ = 0;
-    bool overrun_ = false;             ///< there would be more
-    std::vector<SurfacePoint> feet_;   ///< by triangle, of its middle
-    std::vector<glm::dvec3> fitting_;  ///< by triangle: its middle, when it was found to fit
-    std::vector<Kind> kinds_;          ///< by vertex
-    std::vector<double> lengths_;      ///< by vertex: of edges about it
-    std::vector<glm::dvec3> normals_;  ///< by vertex, of smooth ones that lie on the surface; else 0
+    bool overrun_ = false;               ///< there would be more
+    std::vector<SurfacePoint> feet_;     ///< by triangle, of its middle
+    std::vector<glm::dvec3> fitting_;    ///< by triangle: its middle, when it was found to fit
+    std::vector<Kind> kinds_;            ///< by vertex
+    std::vector<std::uint8_t> fresh_;    ///< by triangle: steps that have not looked at it since it changed
+    std::vector<std::uint8_t> on_edge_;  ///< by vertex: whether it was put on its sharp edge or corner
+    std::vector<double> lengths_;        ///< by vertex: of edges about it
+    std::vector<glm::dvec3> normals_;    ///< by vertex, of smooth ones that lie on the surface; else 0
 };
 
 /// Twice a triangle's area along its normal.

@@ -1,6 +1,7 @@
 #include "render/solid/remesh/remesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace solid {
@@ -9,14 +10,16 @@ namespace {
 constexpr double kLong = 4.0 / 3.0, kShort = 4.0 / 5.0;  // of the wanted length (Botsch and Kobbelt)
 constexpr double kFacing = 0.906;  // cosine of 25 degrees: triangles that connections make look so near to the surface
 constexpr double kNearlyLongest = 0.99;
-constexpr double kNearFacing = 0.98;    // of 11: they do not get worse than that by a flip
-constexpr double kBetterAngle = 0.005;  // of the cosine, by a flip
-constexpr double kWellShaped = 0.94;    // cosine of 20 degrees: a collapse that leaves this is good enough
-constexpr double kBarely = 0.998;       // of 3.6: worse ones are not made
-constexpr double kMuchShorter = 0.3;    // than the wanted length
-constexpr double kOnePlace = 0.1;       // of the least length: vertices so near are in one place
-constexpr double kBearable = 0.2;       // of cosines in all: what triangles may turn away where two such become one
-constexpr double kBetterCost = 1e-9;    // of cosines in all: less is rounding
+constexpr double kNearFacing = 0.98;     // of 11: they do not get worse than that by a flip
+constexpr double kBetterAngle = 0.005;   // of the cosine, by a flip
+constexpr double kWellShaped = 0.94;     // cosine of 20 degrees: a collapse that leaves this is good enough
+constexpr double kBarely = 0.998;        // of 3.6: worse ones are not made
+constexpr double kMuchShorter = 0.3;     // than the wanted length
+constexpr double kOnePlace = 0.1;        // of the least length: vertices so near are in one place
+constexpr double kBearable = 0.2;        // of cosines in all: what triangles may turn away where two such become one
+constexpr double kBetterCost = 1e-9;     // of cosines in all: less is rounding
+constexpr double kNearlyAlong = 0.9990;  // cosine of 2.6 degrees: triangles that look so near to the surface may stay
+constexpr double kNearer = 1e-5;         // of a cosine: what is worth a flip
 constexpr int kMostSweeps = 8;
 
 }  // namespace
@@ -51,20 +54,16 @@ bool Remesher::is_longest(Index h) const
 std::size_t Remesher::split_long()
 {
     std::size_t done = 0;
-    std::vector<Index> touched = all_edges();  // what was collapsed or moved before may be better turned, too
     for (int sweep = 0; sweep < kMostSweeps && !overrun_; ++sweep) {
         std::size_t now = 0;
-        const auto count = static_cast<Index>(3 * mesh_.triangles());
-        for (Index h = 0; h < count; ++h) {
-            if (!mesh_.has_triangle(h / 3) || mesh_.twin(h) < h) continue;
+        for (const Index h : edges_for(kSplit)) {
             if (length(h) <= kLong * wanted_length(h) || !is_longest(h)) continue;
             const Index u = mesh_.tail(h), v = mesh_.head(h);
             const bool sharp = mesh_.is_sharp(h);
             const Index m = mesh_.split(h, 0.5 * (mesh_.places[u] + mesh_.places[v]));
-            mesh_.each_out(m, [&](Index o) {
-                touched.push_back(o);
-                touched.push_back(HalfEdges::next(o));
-            });
+            fresh_.resize(mesh_.triangles());
+            touch_about(m);
+            on_edge_.push_back(0);
             kinds_.push_back(sharp ? Kind::Crease : Kind::Smooth);
             lengths_.push_back(0.5 * (lengths_[u] + lengths_[v]));
             normals_.emplace_back(0.0);
@@ -73,8 +72,7 @@ std::size_t Remesher::split_long()
         done += now;
         overrun_ = mesh_.alive() > most_triangles_;
         if (now == 0 || overrun_) break;
-        flip_better(std::move(touched));
-        touched.clear();
+        flip_better(edges_for(kFlip));  // what was collapsed or moved before may be better turned, too
     }
     return done;
 }
@@ -133,7 +131,9 @@ std::size_t Remesher::unfold()
         for (Index h = 3 * f; h < 3 * f + 3 && mesh_.has_triangle(f); ++h)
             for (const Index way : {h, mesh_.twin(h)})
                 if (mesh_.has_triangle(f) && may_collapse(way, true)) {
+                    const Index v = mesh_.head(way);
                     mesh_.collapse(way);
+                    touch_about(v);
                     ++done;
                 }
     }
@@ -151,21 +151,42 @@ std::vector<HalfEdges::Index> Remesher::folded(double cosine) const
 std::size_t Remesher::collapse_short()
 {
     std::size_t done = 0;
-    std::vector<int> changed(mesh_.vertices(), 0);  // the last sweep in which something about a vertex did
-    for (int sweep = 0; sweep < 2 * kMostSweeps; ++sweep) {
-        std::size_t now = 0;
-        for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
+    // By vertex: the sweep that is to look at its edges, as something about it changed.
+    std::vector<int> look(mesh_.vertices(), -1);
+    for (Index f = 0; f < mesh_.triangles(); ++f)
+        for (Index k = 0; k < 3 && mesh_.has_triangle(f) && (fresh_[f] & kCollapse) != 0; ++k)
+            look[mesh_.tail(3 * f + k)] = 0;
+    seen_by(kCollapse);
+    std::vector<Index> waiting;
+    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
+        if (mesh_.has_triangle(h / 3) && (look[mesh_.tail(h)] == 0 || look[mesh_.head(h)] == 0)) waiting.push_back(h);
+    std::vector<Index> changed;
+    for (int sweep = 0; sweep < 2 * kMostSweeps && !waiting.empty(); ++sweep) {
+        changed.clear();
+        for (const Index h : waiting) {
             if (!mesh_.has_triangle(h / 3)) continue;
-            if (changed[mesh_.tail(h)] < sweep && changed[mesh_.head(h)] < sweep) continue;  // it was not to be
             if (length(h) >= kShort * wanted_length(h) || !may_collapse(h, false)) continue;
             const Index v = mesh_.head(h);
             mesh_.collapse(h);
-            changed[v] = sweep + 1;
-            mesh_.each_out(v, [&](Index o) { changed[mesh_.head(o)] = sweep + 1; });
-            ++now;
+            touch_about(v);
+            const auto again = [&](Index w) {
+                if (look[w] > sweep) return;
+                look[w] = sweep + 1;
+                changed.push_back(w);
+            };
+            again(v);
+            mesh_.each_out(v, [&](Index o) { again(mesh_.head(o)); });
+            ++done;
         }
-        done += now;
-        if (now == 0) break;
+        waiting.clear();
+        for (const Index w : changed)
+            if (mesh_.has_vertex(w))
+                mesh_.each_out(w, [&](Index o) {
+                    waiting.push_back(o);
+                    waiting.push_back(mesh_.twin(o));
+                });
+        std::sort(waiting.begin(), waiting.end());
+        waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
     }
     return done;
 }
@@ -189,11 +210,15 @@ bool Remesher::may_flip(Index h) const
     return turned < own - kBetterAngle && mesh_.can_flip(h);
 }
 
-std::vector<HalfEdges::Index> Remesher::all_edges() const
+std::vector<HalfEdges::Index> Remesher::edges_for(Step step)
 {
     std::vector<Index> out;
-    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
-        if (mesh_.has_triangle(h / 3) && h < mesh_.twin(h)) out.push_back(h);
+    for (Index f = 0; f < mesh_.triangles(); ++f) {
+        if ((fresh_[f] & step) == 0 || !mesh_.has_triangle(f)) continue;
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+            if (const Index t = mesh_.twin(h); h < t || (fresh_[t / 3] & step) == 0) out.push_back(h);
+    }
+    seen_by(step);
     return out;
 }
 
@@ -209,6 +234,8 @@ std::size_t Remesher::flip_better(std::vector<Index> waiting)
             const glm::dvec3 both = glm::normalize(mesh_.facing[h / 3] + mesh_.facing[t / 3]);
             mesh_.flip(h);
             mesh_.facing[h / 3] = mesh_.facing[t / 3] = both;
+            touch(h / 3);
+            touch(t / 3);
             ++done;
             // What lies about it may be better turned, too.
             for (const Index o : {HalfEdges::next(h), HalfEdges::before(h), HalfEdges::next(t), HalfEdges::before(t)})
@@ -217,6 +244,35 @@ std::size_t Remesher::flip_better(std::vector<Index> waiting)
         waiting.swap(next);
     }
     return done;
+}
+
+/// Where the surface is bent within few edges, triangles look nearer to it along one diagonal than along the other.
+/// Last of all, as their angles get no better by it.
+void Remesher::flip_to_face()
+{
+    const auto looks = [&](Index a, Index b, Index c) {
+        const glm::dvec3 sum = normals_[a] + normals_[b] + normals_[c];
+        return facing_of(cross_of(mesh_.places[a], mesh_.places[b], mesh_.places[c]), sum / glm::length(sum));
+    };
+    for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
+        if (!mesh_.has_triangle(h / 3) || mesh_.twin(h) < h || mesh_.is_sharp(h)) continue;
+        const Index t = mesh_.twin(h), u = mesh_.tail(h), v = mesh_.head(h), w = mesh_.tail(HalfEdges::before(h)),
+                    x = mesh_.tail(HalfEdges::before(t));
+        const std::array<Index, 4> all{u, v, w, x};
+        if (std::any_of(all.begin(), all.end(), [&](Index i) { return normals_[i] == glm::dvec3(0.0); })) continue;
+        const double before = std::min(looks(u, v, w), looks(v, u, x));
+        if (before > kNearlyAlong || !(std::min(looks(x, w, u), looks(w, x, v)) > before + kNearer)) continue;
+        const auto shape = [&](Index a, Index b, Index c) {
+            return sharpest_cosine(mesh_.places[a], mesh_.places[b], mesh_.places[c]);
+        };
+        if (std::max(shape(x, w, u), shape(w, x, v)) > kWellShaped || !mesh_.can_flip(h)) continue;
+        mesh_.flip(h);
+        for (const Index f : {h / 3, t / 3}) {
+            glm::dvec3 sum(0.0);
+            for (Index k = 0; k < 3; ++k) sum += normals_[mesh_.tail(3 * f + k)];
+            mesh_.facing[f] = glm::normalize(sum);
+        }
+    }
 }
 
 }  // namespace solid

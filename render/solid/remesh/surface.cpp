@@ -98,6 +98,7 @@ void Remesher::find_sharp()
 void Remesher::take_side(Index f, const glm::dvec3& normal)
 {
     mesh_.facing[f] = foot_on_side(f, normal).normal;
+    touch(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
         mesh_.set_sharp(h, glm::dot(mesh_.facing[f], mesh_.facing[mesh_.twin(h) / 3]) < kSharpTurn);
 }
@@ -117,6 +118,7 @@ bool Remesher::straighten(Index f)
             glm::dot(n, both) < glm::dot(n, mesh_.facing[f]) - (mesh_.is_sharp(c) ? 0.0 : kClearly * area))
             continue;
         mesh_.facing[f] = both;
+        touch(f);
         mesh_.set_sharp(a, false);
         mesh_.set_sharp(b, false);
         mesh_.set_sharp(c, glm::dot(both, mesh_.facing[mesh_.twin(c) / 3]) < kSharpTurn);
@@ -172,18 +174,24 @@ void Remesher::follow_edge(Index v)
             best = h;
         }
     });
-    mesh_.set_sharp(best != HalfEdges::kNone ? best : last, best != HalfEdges::kNone);
+    const Index changed = best != HalfEdges::kNone ? best : last;
+    mesh_.set_sharp(changed, best != HalfEdges::kNone);
+    touch(changed / 3);
+    touch(mesh_.twin(changed) / 3);
 }
 
 void Remesher::tidy_sharp()
 {
     constexpr int kSweeps = 6;
+    std::vector<std::uint8_t> counts;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         std::size_t changed = 0;
         for (Index f = 0; f < mesh_.triangles(); ++f) changed += mesh_.has_triangle(f) && straighten(f) ? 1 : 0;
-        for (Index v = 0; v < mesh_.vertices(); ++v) changed += mesh_.has_vertex(v) && unpinch(v) ? 1 : 0;
+        count_sharp(counts);
+        for (Index v = 0; v < mesh_.vertices(); ++v) changed += counts[v] >= 4 && unpinch(v) ? 1 : 0;
+        count_sharp(counts);
         for (Index v = 0; v < mesh_.vertices(); ++v) {
-            if (!mesh_.has_vertex(v) || sharp_edges(v) != 1) continue;
+            if (counts[v] == 0 || sharp_edges(v) != 1) continue;
             follow_edge(v);
             ++changed;
         }
@@ -199,13 +207,25 @@ int Remesher::sharp_edges(Index v) const
     return sharp;
 }
 
+/// By vertex, how many sharp edges meet there.
+void Remesher::count_sharp(std::vector<std::uint8_t>& counts) const
+{
+    counts.assign(mesh_.vertices(), 0);
+    for (Index h = 0; h < 3 * mesh_.triangles(); ++h)
+        if (mesh_.is_sharp(h) && mesh_.has_triangle(h / 3) && counts[mesh_.tail(h)] < 255) ++counts[mesh_.tail(h)];
+}
+
 void Remesher::find_kinds()
 {
-    kinds_.assign(mesh_.vertices(), Kind::Smooth);
+    std::vector<std::uint8_t> counts;
+    count_sharp(counts);
+    kinds_.resize(mesh_.vertices(), Kind::Smooth);
     for (Index v = 0; v < mesh_.vertices(); ++v) {
-        if (!mesh_.has_vertex(v)) continue;
-        const int sharp = sharp_edges(v);
-        kinds_[v] = sharp == 0 ? Kind::Smooth : sharp == 2 ? Kind::Crease : Kind::Corner;
+        const Kind before = kinds_[v];
+        kinds_[v] = counts[v] == 0 ? Kind::Smooth : counts[v] == 2 ? Kind::Crease : Kind::Corner;
+        if (kinds_[v] == before || !mesh_.has_vertex(v)) continue;
+        on_edge_[v] = 0;
+        touch_about(v);
     }
 }
 
@@ -213,6 +233,7 @@ void Remesher::find_kinds()
 /// triangle is k l l / 6 off.
 void Remesher::find_lengths()
 {
+    touch_all();
     lengths_.assign(mesh_.vertices(), 0.5 * size_);
     for (Index h = 0; h < 3 * mesh_.triangles(); ++h) {
         if (!mesh_.has_triangle(h / 3)) continue;
@@ -257,7 +278,8 @@ void Remesher::grade_lengths()
 void Remesher::face_again()
 {
     each(mesh_.triangles(), [&](Index f) {
-        if (!mesh_.has_triangle(f)) return;
+        if ((fresh_[f] & kFace) == 0 || !mesh_.has_triangle(f)) return;
+        const glm::dvec3 before = mesh_.facing[f];
         glm::dvec3 sum(0.0);
         bool smooth = true;
         for (Index k = 0; k < 3; ++k) {
@@ -267,11 +289,13 @@ void Remesher::face_again()
         }
         if (smooth && glm::length(sum) > 1.5) {
             mesh_.facing[f] = glm::normalize(sum);
-            return;
+        } else {
+            const Foot foot = foot_of(body_, middle_of(f), before, longest_side(f));
+            if (foot.found && glm::dot(foot.at.normal, before) > kSame) mesh_.facing[f] = foot.at.normal;
         }
-        const Foot foot = foot_of(body_, middle_of(f), mesh_.facing[f], longest_side(f));
-        if (foot.found && glm::dot(foot.at.normal, mesh_.facing[f]) > kSame) mesh_.facing[f] = foot.at.normal;
+        if (mesh_.facing[f] != before) fresh_[f] |= kFlip | kCollapse;
     });
+    seen_by(kFace);
 }
 
 std::size_t Remesher::look_for_misfits()
@@ -295,6 +319,7 @@ std::size_t Remesher::look_for_misfits()
         if (shares[f] >= 1.0) fitting_[f] = middle_of(f);
     });
     std::size_t found = 0;
+    const std::vector<double> before = lengths_;
     for (Index f = 0; f < mesh_.triangles(); ++f) {
         if (shares[f] >= 1.0) continue;
         const double longest = longest_side(f);
@@ -305,7 +330,10 @@ std::size_t Remesher::look_for_misfits()
             own = std::max(least_, std::min(own, shares[f] * kUsualSide * longest));
         }
     }
-    if (found > 0) grade_lengths();
+    if (found == 0) return found;
+    grade_lengths();
+    for (Index v = 0; v < mesh_.vertices(); ++v)
+        if (mesh_.has_vertex(v) && lengths_[v] != before[v]) touch_about(v);
     return found;
 }
 

@@ -1,6 +1,7 @@
 #include "render/solid/measure/measure.h"
 #include "render/solid/mesh/check.h"
 #include "render/solid/remesh/crossings.h"
+#include "render/solid/remesh/foot.h"
 #include "render/solid/remesh/half_edges.h"
 #include "render/solid/mesh/mesher.h"
 #include "render/solid/remesh/remesh.h"
@@ -198,4 +199,28 @@ TEST_CASE("folds that no step unfolds are cut out", "[solid]")
     CHECK(solid::crossings(mesh) == 0);
     CHECK(thin_share(mesh) < 0.01);
     CHECK(mesh.triangles.size() < 15'000);  // tetrahedra alone give 120,000
+}
+
+// Corners where a tooth's side, the wheel's round wall and the flat top meet came out with triangles across them.
+TEST_CASE("no triangle of a toothed wheel looks away from its surface", "[solid]")
+{
+    const solid::Body body =
+        body_of("difference { union { cylinder { <0, -0.5, 0>, <0, 0.5, 0>, 2.3 } "
+                "#for (I, 0, 15) prism { linear_spline -0.5, 0.5, 5, <2.2, -0.34>, <3, -0.16>, <3, 0.16>, <2.2, 0.34>, "
+                "<2.2, -0.34> rotate 22.5 * I * y } #end cylinder { <0, -0.9, 0>, <0, 0.9, 0>, 1 } } "
+                "cylinder { <0, -1, 0>, <0, 1, 0>, 0.6 } box { <-0.15, -1, 0>, <0.15, 1, 0.8> } }");
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = solid::require_extent(body, error, rays);
+    solid::MeshFacts facts;
+    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, solid::RefineOptions{}, facts);
+    REQUIRE(facts.remeshed);
+    std::size_t away = 0;
+    for (const auto& t : mesh.triangles) {
+        const glm::dvec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+        const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+        const solid::Foot foot = solid::foot_of(body, (a + b + c) / 3.0, normal, 0.1);
+        away += foot.found && glm::dot(foot.at.normal, normal) > std::cos(15.0 / 57.3) ? 0 : 1;
+    }
+    CHECK(away == 0);
 }
