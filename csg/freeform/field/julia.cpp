@@ -125,7 +125,7 @@ glm::dvec3 Julia::into(const Transform& frame, const glm::dvec3& point) const
 void Julia::intersect(const Ray& ray, IntersectionList& out, bool moved) const
 {
     if (whole()) return intersect_whole(ray, out);
-    const julia::Way way(ray, moved, radius_, out);
+    const julia::Way way(ray, moved, terms_.looks_beyond, radius_, out);
     if (!way.meets) return;
     const Ray& unit = way.unit;
     double t = way.begin;
@@ -137,7 +137,7 @@ void Julia::intersect(const Ray& ray, IntersectionList& out, bool moved) const
     if (at.inside && !out.enter(way.world(way.entry), kUndrawnFace)) return;
     while (true) {
         double step = std::max(at.step, step_);
-        if (!(step < kInfinity) || !(t + step <= way.end)) break;
+        if (!way.goes_on(t, step)) break;
         const March next = look(unit.at(t + step), unit.direction);
         if (next.inside != at.inside) {
             double same = t;  // still as it was

@@ -39,6 +39,9 @@ struct JuliaTerms {
     double slice_distance = 0.0;
     /// Functions that are no polynomials: as POV-Ray 3.7 asks whether a point is inside (spec 5b, 12.1).
     bool extruded = true;
+    /// A crossing between the last look within what is asked and the next is found (spec 5b, 12.2). Where it is not, as
+    /// in scenes drawn as 3.7, rays that end within the set or are clipped there lose some.
+    bool looks_beyond = false;
     bool whole = false;  ///< rays of polynomials are told every crossing, no matter what the precision is
 };
 

@@ -31,7 +31,7 @@ public:
     void begin(const Ray& ray, bool moved, IntersectionList& out)
     {
         March& m = marches_[count_];
-        m.way = julia::Way(ray, moved, set_.radius_, out);
+        m.way = julia::Way(ray, moved, set_.terms_.looks_beyond, set_.radius_, out);
         m.out = &out;
         m.t = m.way.begin;
         m.phase = Phase::First;
@@ -160,7 +160,7 @@ private:
     {
         m.step = std::max(step, set_.step_);
         m.phase = Phase::Stepping;
-        if (m.step < kInfinity && m.t + m.step <= m.way.end) return true;
+        if (m.way.goes_on(m.t, m.step)) return true;
         if (m.inside) m.out->leave(m.way.world(m.way.exit), kUndrawnFace);
         return false;
     }

@@ -45,10 +45,10 @@ private:
         leave(lane);
         while (next_ray_ < rays_.size()) {
             const std::size_t k = next_ray_++;
-            const julia::Way way(rays_[k], moved_, set_.radius_, out_[k]);
+            const julia::Way way(rays_[k], moved_, set_.terms_.looks_beyond, set_.radius_, out_[k]);
             if (!way.meets) continue;
             orbits_.set_ray(lane, way.unit);
-            t_[lane] = way.begin, end_[lane] = way.end, nearest_[lane] = way.nearest;
+            t_[lane] = way.begin, end_[lane] = way.end, last_[lane] = way.last, nearest_[lane] = way.nearest;
             marches_[lane] = {way, &out_[k], 0.0, false};
             first_ |= 1u << lane;
             return;
@@ -60,7 +60,7 @@ private:
     {
         leave(lane);
         step_[lane] = std::max(step, set_.step_);
-        if (step_[lane] < kInfinity && t_[lane] + step_[lane] <= end_[lane]) stepping_ |= 1u << lane;
+        if (marches_[lane].way.goes_on(t_[lane], step_[lane])) stepping_ |= 1u << lane;
         else finish(lane);
     }
 
@@ -93,7 +93,7 @@ private:
             const auto from = static_cast<std::size_t>(std::countr_zero(left)),
                        to = static_cast<std::size_t>(std::countr_zero(~busy()));
             orbits_.move_ray(from, to);
-            for (Numbers* of : {&t_, &end_, &nearest_, &step_, &same_, &behind_}) (*of)[to] = (*of)[from];
+            for (Numbers* of : {&t_, &end_, &last_, &nearest_, &step_, &same_, &behind_}) (*of)[to] = (*of)[from];
             marches_[to] = marches_[from];
             set_bit(inside_, 1u << to, (inside_ >> from & 1u) != 0);
             for (Mask* of : {&first_, &second_, &stepping_, &halving_}) {
@@ -135,8 +135,9 @@ private:
             Orbits::store(behind_, v, Orbits::pick(change, there, Orbits::load(behind_, v)));
             // An interval with a change just found is treated as one that was halved.
             const Mask more = (halves | change) & lanes::mask(step > Orbits::load(nearest_, v));
-            const Mask ends =
-                goes & ~(lanes::mask(wide < Double(kInfinity)) & lanes::mask(there + wide <= Orbits::load(end_, v)));
+            const Mask ends = goes &
+                              ~(lanes::mask(wide < Double(kInfinity)) & lanes::mask(there <= Orbits::load(last_, v)) &
+                                lanes::mask(there + wide <= Orbits::load(end_, v)));
             Orbits::store(step_, v, Orbits::pick(goes, wide, Orbits::pick(more, step * Double(0.5), step)));
             special |= Orbits::whole(ends | ((halves | change) & ~more), v);
         }
@@ -205,7 +206,7 @@ private:
     Mask first_ = 0, second_ = 0, stepping_ = 0, halving_ = 0;  ///< what a lane looks for; none: it has no ray
     Mask inside_ = 0;                                           ///< at t
     // A lane without a ray looks all the same.
-    alignas(64) Numbers places_, t_{}, end_{}, nearest_{};
+    alignas(64) Numbers places_, t_{}, end_{}, last_{}, nearest_{};
     alignas(64) Numbers step_{};    ///< to the next look, or half of the interval
     alignas(64) Numbers same_{};    ///< still as at t: begin of the interval
     alignas(64) Numbers behind_{};  ///< where the step led that found a change

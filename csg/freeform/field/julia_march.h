@@ -35,11 +35,12 @@ struct Way {
     double length = 1.0, start = 0.0;              ///< of the direction given; of `unit` along the ray
     double entry = 0.0, exit = 0.0;                ///< of the sphere
     double begin = 0.0, end = 0.0, nearest = 0.0;  ///< first look, last look, last interval of a crossing
+    double last = kInfinity;                       ///< from no farther place one looks on
     bool meets = false;
 
     Way() = default;
-    /// `moved`: through a transformation, as in Julia::intersect().
-    Way(const Ray& ray, bool moved, double radius, const IntersectionList& asked)
+    /// `moved`: through a transformation, as in Julia::intersect(); `beyond`: JuliaTerms::looks_beyond.
+    Way(const Ray& ray, bool moved, bool beyond, double radius, const IntersectionList& asked)
         : unit(ray), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
     {
         if (!moved && std::abs(length - 1.0) < kUnit) length = 1.0;
@@ -53,10 +54,14 @@ struct Way {
         meets = rest > 0.0 && !(exit < kNearest - start) && !(exit < asked.from * length - start);
         if (!meets) return;
         begin = std::max(entry, kNearest - start);
-        end = std::min(exit, asked.to * length - start);
+        const double to = asked.to * length - start;
+        end = beyond ? exit : std::min(exit, to);
+        if (beyond) last = to;
         nearest = glm::clamp(kFinest * length, kLeast, kNearest);
     }
 
+    /// Whether a step from t ends in another look.
+    bool goes_on(double t, double step) const { return step < kInfinity && t <= last && t + step <= end; }
     /// In the given ray's parameter.
     double world(double t) const { return (start + t) / length; }
     double world(double t, double step) const { return (start + t + step) / length; }

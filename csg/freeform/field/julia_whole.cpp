@@ -41,7 +41,7 @@ Julia::Where Julia::where(const glm::dvec3& p, const glm::dvec3& half) const
 /// Halves stretches of the ray until each is certainly inside, certainly outside, crossed once, or too short.
 void Julia::intersect_whole(const Ray& ray, IntersectionList& out) const
 {
-    const julia::Way way(ray, true, (1.0 + kAround) * radius_, out);
+    const julia::Way way(ray, true, false, (1.0 + kAround) * radius_, out);
     if (!way.meets) return;
     const Ray& unit = way.unit;
     const double from = out.from * way.length - way.start, to = out.to * way.length - way.start;

@@ -111,6 +111,40 @@ TEST_CASE("a ray's crossings part inside from outside", "[csg][julia]")
     }
 }
 
+TEST_CASE("a crossing shortly before the end of what is asked is found", "[csg][julia]")
+{
+    // The look behind it lies beyond that end, as under a clip or where a lamp stands in the set.
+    for (const Function f : {Function::Square, Function::HyperSquare, Function::Sin}) {
+        JuliaTerms t = terms(f);
+        t.looks_beyond = true;
+        const Julia set(t);
+        std::vector<Ray> rays;
+        std::vector<double> entries;
+        each_ray_near(set, 300, [&](const Ray& ray, const IntersectionList& record) {
+            record.each_span([&](double in, std::uint32_t face, double, std::uint32_t) {
+                if (face != 0) return;
+                rays.push_back(ray);
+                entries.push_back(in);
+            });
+        });
+        REQUIRE(rays.size() > 50);
+        const auto tells = [](const IntersectionList& record, double entry) {
+            bool told = false;
+            record.each_span([&](double in, std::uint32_t, double, std::uint32_t) { told = told || in == entry; });
+            return told;
+        };
+        std::vector<IntersectionList> many;
+        for (const double entry : entries) many.emplace_back(0.0, entry * (1.0 + 1e-9), false);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            IntersectionList one = many[i];
+            set.intersect(rays[i], one);
+            CHECK(tells(one, entries[i]));
+        }
+        set.intersect_many(rays, many.data());
+        for (std::size_t i = 0; i < rays.size(); ++i) CHECK(tells(many[i], entries[i]));
+    }
+}
+
 TEST_CASE("a whole julia set leaves out no stretch that points of a ray lie in", "[csg][julia]")
 {
     for (const Function f : {Function::Square, Function::Cube, Function::HyperSquare, Function::HyperCube}) {
