@@ -72,7 +72,7 @@ private:
         if (!walk_.only_adds) return false;
         for (;; stride_ /= 2) {
             const std::size_t last = std::min(at_ + stride_, walk_.sorted - 1);
-            if (walk_.least(a, walk_.ends[last].t) > threshold_) {
+            if (walk_.above(threshold_, a, walk_.ends[last].t)) {
                 while (at_ < last) walk_.pass(walk_.ends[at_++]);
                 return true;
             }

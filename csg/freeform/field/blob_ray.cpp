@@ -61,14 +61,15 @@ void Blob::intersect(const Ray& ray, IntersectionList& out) const
     }
     thread_local std::vector<Stretch> stretches;
     thread_local std::vector<Walk::End> ends;
-    thread_local std::vector<std::uint32_t> active;
+    thread_local std::vector<std::uint32_t> active, places;
     const std::size_t room = Walk::kStretches * fields_.size();
     if (stretches.size() < room) {
         stretches.resize(room);
         ends.resize(2 * room);
         active.resize(room);
+        places.resize(room);
     }
-    Walk walk{stretches.data(), ends.data(), active.data()};
+    Walk walk{stretches.data(), ends.data(), active.data(), places.data()};
     intersect(ray, walk, out);
 }
 

@@ -150,6 +150,7 @@ struct Blob::Walk {
     Stretch* stretches;
     End* ends;
     std::uint32_t* active;
+    std::uint32_t* places;  ///< of stretches that are active: where they stand there
     std::size_t stretch_count = 0, end_count = 0, active_count = 0;
     std::size_t sorted = 0;  ///< of the ends; most rays are done before they need them all
     bool only_adds = true;   ///< no field takes away
@@ -162,6 +163,7 @@ struct Blob::Walk {
         End* began = last;  // in the room that their own ends leave
         for (std::uint32_t i = 0; i < stretch_count; ++i) {
             const Stretch& of = stretches[i];
+            places[i] = 0;
             only_adds = only_adds && of.strength > 0.0;
             if (!(of.enter < from)) ends[end_count++] = {of.enter, i, false};
             else *--began = {of.enter, i, false};
@@ -171,7 +173,7 @@ struct Blob::Walk {
             std::reverse(began, last);
             put_in_order(began, last);
             const End latest = last[-1];
-            for (; began != last - 1; ++began) active[active_count++] = began->stretch;
+            for (; began != last - 1; ++began) begin(began->stretch);
             ends[end_count++] = latest;
         }
         sort_more();
@@ -203,15 +205,17 @@ struct Blob::Walk {
 
     void pass(const End& end)
     {
-        if (!end.leaves) {
-            active[active_count++] = end.stretch;
-            return;
-        }
-        for (std::size_t i = 0; i < active_count; ++i) {
-            if (active[i] != end.stretch) continue;
-            active[i] = active[--active_count];
-            return;
-        }
+        if (!end.leaves) return begin(end.stretch);
+        const std::uint32_t place = places[end.stretch];
+        if (place >= active_count || active[place] != end.stretch) return;
+        const std::uint32_t last = active[--active_count];
+        active[place] = last;
+        places[last] = place;
+    }
+    void begin(std::uint32_t stretch)
+    {
+        places[stretch] = static_cast<std::uint32_t>(active_count);
+        active[active_count++] = stretch;
     }
 
     /// No sum of fields in the range asked for is above this.
@@ -230,19 +234,23 @@ struct Blob::Walk {
         return sum;
     }
 
-    /// Where fields only add, nor below this between two places: one that reaches over both is least at one of them.
-    double least(double a, double b) const
+    /// Where fields only add: whether the sum surely is above the threshold between two places. One that reaches over
+    /// both is least at one of them.
+    bool above(double threshold, double a, double b) const
     {
+        constexpr double kEnough = 1e-9;  // more than all that are left may take away by rounding
         Together sum{};
-        for (std::size_t k = 0; k < active_count; k += kTogether) {
+        double known = 0.0;
+        for (std::size_t k = 0; k < active_count && known <= threshold + kEnough; k += kTogether) {
             const Active s(*this, k);
             Together first, last;
             s.w(a, first);
             s.w(b, last);
             const Together w = first < last ? first : last;
             sum += s.leave < b ? Together{} : s.strength * (w * w - kRounding);
+            known = (sum[0] + sum[1]) + (sum[2] + sum[3]);
         }
-        return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+        return known > threshold;
     }
 
     /// The sum of the active fields less the threshold, on [a, b]. Terms are made side by side and added one after the
@@ -275,9 +283,9 @@ template <std::size_t components>
 struct Blob::WalkRoom {
     std::array<Stretch, Walk::kStretches * components> stretches;
     std::array<Walk::End, 2 * Walk::kStretches * components> ends;
-    std::array<std::uint32_t, Walk::kStretches * components> active;
+    std::array<std::uint32_t, Walk::kStretches * components> active, places;
 
-    Walk walk() { return {stretches.data(), ends.data(), active.data()}; }
+    Walk walk() { return {stretches.data(), ends.data(), active.data(), places.data()}; }
 };
 
 }  // namespace csg

@@ -98,13 +98,16 @@ private:
         stay_.clear();
         flying_.clear();
         hits_ = 0;
+        Flying start{{}, glm::vec3(0.0f), 0.0, 0, 0};
+        start.state.start = scene_.tolerance.hit;
+        start.state.kind = plan::RayKind::Photon;
+        for (const std::uint32_t interior : flight_->interiors) start.state.interiors.append(interior);
         for (std::size_t i = 0; i < photons.size(); ++i) {
-            const auto index = static_cast<std::uint32_t>(i);
-            Flying& start = flying_.emplace_back(Flying{RayState{}, photons[i].color, photons[i].depth, index, index});
-            start.state.ray = {photons[i].origin, photons[i].direction};
-            start.state.start = scene_.tolerance.hit;
-            start.state.kind = plan::RayKind::Photon;
-            for (const std::uint32_t interior : flight_->interiors) start.state.interiors.append(interior);
+            Flying& photon = flying_.emplace_back(start);
+            photon.state.ray = {photons[i].origin, photons[i].direction};
+            photon.color = photons[i].color;
+            photon.depth = photons[i].depth;
+            photon.step = photon.root = static_cast<std::uint32_t>(i);
         }
         while (!flying_.empty()) trace_some();
     }
@@ -113,6 +116,7 @@ private:
     template <class F>
     void in_order(std::uint32_t root, F&& f)
     {
+        if (steps_[root].first == kNoStep) return f(root);
         order_.assign(1, root);
         while (!order_.empty()) {
             const std::uint32_t at = order_.back();
@@ -163,7 +167,9 @@ private:
         // On its way to the target through empty air it ends at all else.
         if (photon.seeking && rules.target != flight_->target && !rules.pass_through && photon.state.interiors.empty())
             return;
-        const HitDetails details = hit_details(context_, photon.state.ray, hit);
+        const bool goes_on = sends_photons(hit.surface, rules), seeks_on = photon.seeking && rules.pass_through;
+        HitDetails details{photon.state.ray.at(hit.t), glm::dvec3(0.0)};
+        if (goes_on || seeks_on) details = hit_details(context_, photon.state.ray, hit);
         const bool inside = from_inside(details, photon.state.ray.direction);
         const HitPlace place{
             photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
@@ -179,7 +185,19 @@ private:
             hits_ |= HitMask{1} << photon.root;
         }
         if (place.level > 1 && !photon.passed && rules.collect) stay(photon, place);
-        go_on(photon, place, details, rules);
+        if (goes_on) go_on(photon, place, details, rules);
+    }
+
+    /// Whether the surface may mirror this flight's photons or let them through.
+    bool sends_photons(csg::SurfaceId surface, const plan::PhotonSurface& rules) const
+    {
+        if (!agree(rules.refraction, flight_->refraction) && !agree(rules.reflection, flight_->reflection))
+            return false;
+        const plan::SurfaceTraits& traits = context_.traits.surfaces[surface];
+        const auto ends = [](const plan::SingleLayer& single) {
+            return single.index != plan::kNone && !single.goes_on;
+        };
+        return !ends(traits.outer) || !ends(traits.inner);
     }
 
     /// Interior media on the way to a surface.
@@ -243,7 +261,6 @@ private:
     {
         const bool refracts = agree(rules.refraction, flight_->refraction),
                    reflects = agree(rules.reflection, flight_->reflection);
-        if (!refracts && !reflects) return;
         each_layers(place, details, [&](HitContext& hit, const LayerStack& stack, float share) {
             Refracted next;
             const float weight = photon.state.weight * largest(glm::abs(stack.filter));
