@@ -122,7 +122,25 @@ private:
     std::vector<Known> known_;
 };
 
-/// The texture itself if it has a map, or layers with patterns or bent normals, and few enough.
+/// Which textures bend normals, by index; what is inside of a map stands before it.
+std::vector<bool> bending_textures(const TextureSet& set)
+{
+    using Kind = texture::Texture::Kind;
+    std::vector<bool> out;
+    for (const texture::Texture& texture : set.textures) {
+        const auto bends = [&](std::uint32_t i) {
+            return texture.kind == Kind::Layers ? set.layers[i].normal != texture::kNone : out[set.children[i]];
+        };
+        const std::uint32_t count = texture.kind == Kind::Uv ? 1 : texture.count;
+        bool any = false;
+        for (std::uint32_t i = texture.first; i < texture.first + count; ++i) any = any || bends(i);
+        out.push_back(any);
+    }
+    return out;
+}
+
+/// The texture itself if it has a map, or layers with patterns or bent normals, and few enough. bent: something of it
+/// looks at normals that it has bent.
 PatternedLayers patterned_layers(const TextureSet& set, std::uint32_t index, bool bent, PlainMaps& plain_maps)
 {
     if (index == texture::kNone) return {};
@@ -242,6 +260,7 @@ SceneTraits find_traits(const CompiledScene& scene)
     const TextureInputs texture_looks(scene.textures);
     const std::vector<bool> dark = dark_textures(scene.textures);
     PlainMaps plain_maps(scene.textures);
+    const std::vector<bool> bending = bending_textures(scene.textures);
     const bool grain = grain_in_lanes(scene);
     const bool every_detail = !scene.options.lean.takes(LeanStep::HitDetails);
     traits.clear_surfaces = scene.options.lean.takes(LeanStep::ClearSurfaces) && !scene.options.grain_stream &&
@@ -272,8 +291,10 @@ SceneTraits find_traits(const CompiledScene& scene)
         if (!all[i].batched) traits.not_batched.push_back(static_cast<csg::SurfaceId>(i));
         if (surface.blends()) continue;
         const std::uint32_t inner = surface.texture_of(true);
-        const bool bent = texture_looks.of_texture(surface.texture).bent,
-                   inner_bent = texture_looks.of_texture(inner).bent;
+        const auto looks_at_bent = [&](std::uint32_t texture) {
+            return texture != texture::kNone && bending[texture] && texture_looks.of_texture(texture).bent;
+        };
+        const bool bent = looks_at_bent(surface.texture), inner_bent = looks_at_bent(inner);
         all[i].outer_patterned = patterned_layers(scene.textures, surface.texture, bent, plain_maps);
         all[i].inner_patterned = patterned_layers(scene.textures, inner, inner_bent, plain_maps);
         if (surface.part_count != 0 && all[i].outer_patterned.map) all[i].outer_patterned = {};
@@ -298,7 +319,8 @@ SceneTraits find_traits(const CompiledScene& scene)
         const bool dimmed = surface.interior != kNone && traits.dimming[surface.interior] != 0;
         all[i].filters_alone = all[i].steady_filter && !dimmed;
         all[i].filters_together = !surface.opaque && !all[i].steady_filter && !traits.scalar_rows && all[i].batched &&
-                                  surface.part_count == 0 && layers_filter(scene.textures, surface.texture) && !bent;
+                                  surface.part_count == 0 && layers_filter(scene.textures, surface.texture) &&
+                                  !texture_looks.of_texture(surface.texture).bent;
         traits.filters_together |= all[i].filters_together;
     }
     traits.own_rays = boxes_of_own_rays(scene, traits);

@@ -158,8 +158,10 @@ private:
             for (int i = 0; i < 3; ++i) out += "[" + number(.2, 2) + maps(depth - 1) + "] ";
             return out + "} " + placed();
         }
-        return std::string(random_() % 2 == 0 ? "bozo scale .4" : "gradient x") + " texture_map { [.3 " +
-               maps(depth - 1) + "] [.6 " + maps(depth - 1) + "] [.7 " + maps(depth - 1) + "] } " + placed();
+        // What looks at normals may not be bent for all hits at once.
+        const char* const patterns[] = {"bozo scale .4", "gradient x", "slope y"};
+        return std::string(patterns[random_() % 3]) + " texture_map { [.3 " + maps(depth - 1) + "] [.6 " +
+               maps(depth - 1) + "] [.7 " + maps(depth - 1) + "] } " + placed();
     }
 
     std::mt19937& random_;
