@@ -47,7 +47,6 @@ bool has_unsmooth(const scene::Object& object)
         return std::any_of(csg->operands->begin(), csg->operands->end(), has_unsmooth);
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
     return freeform != nullptr && (std::holds_alternative<csg::Isosurface>(freeform->shape->kind) ||
-                                   std::holds_alternative<csg::Julia>(freeform->shape->kind) ||
                                    std::holds_alternative<csg::HeightField>(freeform->shape->kind));
 }
 

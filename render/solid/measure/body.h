@@ -60,8 +60,8 @@ public:
 
     double slack() const { return slack_; }
 
-    /// Whether a part of it is not worth being remeshed: isosurfaces and julia sets are searched along each line, which
-    /// is slow, and a height field is small facets.
+    /// Whether a part of it is not worth being remeshed: isosurfaces are searched along each line, which is slow, and a
+    /// height field is small facets.
     bool is_unsmooth() const { return unsmooth_; }
 
 private:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace solid {
 namespace {
@@ -81,6 +82,8 @@ bool Remesher::run()
     settle(true);
     settle(true);  // neighbours tell what they know now
     const auto round = [&] {
+        if (std::chrono::steady_clock::now() >= options_.deadline) overrun_ = true;
+        if (overrun_) return;
         tidy_sharp();
         collapse_short();
         split_long();
@@ -133,14 +136,18 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
 
 TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
 {
+    RefineOptions within = options;
+    // Half of the time: the other is for what is made instead if that was not enough.
+    const auto now = std::chrono::steady_clock::now();
+    within.deadline = now + (options.deadline - now) / 2;
     for (const double times : kCoarser) {
         if (body.is_unsmooth()) break;
         facts = {};
-        RefineOptions coarse = options;
+        RefineOptions coarse = within;
         coarse.tolerance *= times;
         TriangleMesh mesh = mesh_of(body, extent, coarse, facts);
-        if (facts.late || facts.full) break;
-        if (remesh(body, extent, options, mesh)) {
+        if (facts.late || facts.full || std::chrono::steady_clock::now() >= within.deadline) break;
+        if (remesh(body, extent, within, mesh)) {
             facts.remeshed = true;
             return mesh;
         }

@@ -20,7 +20,8 @@ public:
     bool take(const TriangleMesh& mesh);
     /// Finds what the surface is like about the triangles, and its sharp edges.
     void look_at_surface();
-    /// False where it needs many more triangles than there were: something about the surface is not understood.
+    /// False where it needs many more triangles than there were, as something about the surface is not understood, or
+    /// more time than there is.
     bool run();
     /// Whether a triangle looks away from the surface: the cosine between it and the surface's normal is less.
     bool any_folded(double cosine) const { return !folded(cosine).empty(); }
@@ -126,7 +127,7 @@ private:
     double least_ = 0.0;  ///< edges are not made shorter
     HalfEdges mesh_;
     std::size_t most_triangles_ = 0;
-    bool overrun_ = false;               ///< there would be more
+    bool overrun_ = false;               ///< there would be more, or it is late
     std::vector<SurfacePoint> feet_;     ///< by triangle, of its middle
     std::vector<glm::dvec3> fitting_;    ///< by triangle: its middle, when it was found to fit
     std::vector<Kind> kinds_;            ///< by vertex

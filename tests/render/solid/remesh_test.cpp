@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -223,4 +224,22 @@ TEST_CASE("no triangle of a toothed wheel looks away from its surface", "[solid]
         away += foot.found && glm::dot(foot.at.normal, normal) > std::cos(15.0 / 57.3) ? 0 : 1;
     }
     CHECK(away == 0);
+}
+
+TEST_CASE("julia sets are made anew, and what is late is not", "[solid]")
+{
+    const solid::Body body = body_of("julia_fractal { <-0.1, 0.3, 0.1, 0.1> quaternion sqr max_iteration 3 }");
+    double error = 0.0;
+    std::uint64_t rays = 0;
+    const csg::Aabb extent = solid::require_extent(body, error, rays);
+    solid::RefineOptions options;
+    options.tolerance = 0.03;
+    solid::MeshFacts facts;
+    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, options, facts);
+    CHECK(facts.remeshed);
+    CHECK(solid::check(mesh).good());
+    CHECK(thin_share(mesh) < 0.01);
+    options.deadline = std::chrono::steady_clock::now();
+    CHECK(solid::check(solid::good_mesh_of(body, extent, options, facts)).good());
+    CHECK(!facts.remeshed);
 }
