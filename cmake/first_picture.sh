@@ -13,7 +13,7 @@ first_picture() {
     build quick whittle
     echo "whittle: drawing, and compiling the fast program (four minutes on two cores; where you stop it, the next ./run goes on)" >&2
     configure release
-    nice -n 10 ninja -C "$fast" --quiet whittle >&2 &
+    nice -n 19 ninja -C "$fast" --quiet whittle >&2 &
     building=$!
     "$root/build/quick/whittle" "$@" &
     drawing=$!
