@@ -1,33 +1,40 @@
 # shellcheck shell=bash
-# Sourced by ./run where nothing is compiled yet. Optimisation is most of a compiler's time and a first picture is small: a program without it
-# (preset `quick`: the same bytes, some fifty times as slow) draws while the fast one is compiled. Whichever is done first gives
-# the picture, so that nobody waits for a slow program's slow scene.
+# Sourced by ./run where nothing is compiled yet. Optimisation is most of a compiler's time and a first picture is small, so a
+# program without it (preset `quick`: the same bytes, some fifty times as slow) draws before the fast one is compiled. A picture
+# that takes a minute or more is raced by the compiler, so that nobody waits for a slow program's slow scene.
 
 # first_picture SCENE OPTION...: ends the script with the picture's status, or returns where the fast program,
-# which then continues it, is there before.
+# which then continues the picture, is there before it.
 first_picture() {
     # shellcheck disable=SC2154  # root: setup.sh
-    local drawing building first status=0 fast=$root/build/release
+    local fast=$root/build/release drawing building='' patience first status=0
     export kernels=own
     echo "whittle: compiling without optimisation for the first picture (two minutes on two cores)" >&2
     build quick whittle
-    echo "whittle: drawing, and compiling the fast program (four minutes on two cores; where you stop it, the next ./run goes on)" >&2
-    configure release
-    nice -n 19 ninja -C "$fast" --quiet whittle >&2 &
-    building=$!
     "$root/build/quick/whittle" "$@" &
     drawing=$!
-    trap 'kill "$drawing" "$building" 2>/dev/null || true' EXIT
-    wait -n -p first "$drawing" "$building" || status=$?
-    if [[ $first == "$drawing" ]]; then
-        [[ $status == 0 ]] || exit "$status"  # a mistake in the scene, say: it is mended meanwhile
-        echo "whittle: the picture is there; compiling goes on" >&2
-        wait "$building" || status=$?
-    elif [[ $status == 0 ]]; then
-        { kill "$drawing" && wait "$drawing"; } || true  # leaves what is drawn for +C
+    sleep 60 &
+    patience=$!
+    trap 'kill "$drawing" "$patience" $building 2>/dev/null || true' EXIT
+    wait -n -p first "$drawing" "$patience" || status=$?
+    if [[ $first != "$drawing" ]]; then
+        echo "whittle: still drawing; the fast program is compiled beside it" >&2
+        configure release
+        nice -n 10 ninja -C "$fast" --quiet whittle >&2 &
+        building=$!
+        wait -n -p first "$drawing" "$building" || status=$?
     fi
+    # A mistake in the scene, say: it is mended before anything else is compiled.
     [[ $status == 0 ]] || exit "$status"
+    if [[ $first == "$building" ]]; then
+        { kill "$drawing" && wait "$drawing"; } || true  # leaves what is drawn for +C
+    else
+        echo "whittle: the picture is there; now the fast program (four minutes more; where you stop it, the next ./run goes on)" >&2
+        kill "$patience" $building 2>/dev/null || true
+        wait
+        build release whittle
+    fi
     trap - EXIT
     rm -rf "$root/build/quick"
-    [[ $first != "$drawing" ]] || exit 0
+    [[ $first == "$building" ]] || exit 0
 }
