@@ -9,7 +9,7 @@ first_picture() {
     # shellcheck disable=SC2154  # root: setup.sh
     local fast=$root/build/release drawing building='' patience first status=0
     export kernels=own
-    echo "whittle: compiling without optimisation for the first picture (two minutes on two cores)" >&2
+    echo "whittle: compiling without optimisation for the first picture (two to three minutes on two cores)" >&2
     build quick whittle
     "$root/build/quick/whittle" "$@" &
     drawing=$!
