@@ -8,8 +8,8 @@
 #include "render/kernel/camera/mesh_camera_ray.h"
 
 #include <cmath>
-#include <utility>
 #include <numbers>
+#include <utility>
 
 namespace trace {
 namespace {
@@ -52,6 +52,15 @@ T screen_row(const T& py, double height, scene::PovRay povray)
 {
     if (povray == scene::PovRay::V38) return T(0.5) - (py + T(0.5)) / T(height);
     return (T(height - 0.5) - py) / T(height) - T(0.5);
+}
+
+/// Pixels' places from the middle of the screen, in screens to the right and up.
+std::pair<csg::lanes::Double, csg::lanes::Double> on_screen(const double* px, const double* py, double width,
+                                                            double height, scene::PovRay povray)
+{
+    using csg::lanes::Double;
+    return {(Double::load_aligned(px) + Double(0.5)) / Double(width) - Double(0.5),
+            screen_row(Double::load_aligned(py), height, povray)};
 }
 
 }  // namespace
@@ -128,19 +137,6 @@ bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2&
     }
     return found;
 }
-
-namespace {
-
-/// Pixels' places from the middle of the screen, in screens to the right and up.
-std::pair<csg::lanes::Double, csg::lanes::Double> on_screen(const double* px, const double* py, double width,
-                                                            double height, scene::PovRay povray)
-{
-    using csg::lanes::Double;
-    return {(Double::load_aligned(px) + Double(0.5)) / Double(width) - Double(0.5),
-            screen_row(Double::load_aligned(py), height, povray)};
-}
-
-}  // namespace
 
 bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
 {

@@ -17,16 +17,20 @@
 
 namespace {
 
-solid::TriangleMesh remeshed(const char* scene, double tolerance)
+solid::TriangleMesh good_mesh(const solid::Body& body, const solid::RefineOptions& options, solid::MeshFacts& facts)
 {
-    const solid::Body body = body_of(scene);
     double error = 0.0;
     std::uint64_t rays = 0;
     const csg::Aabb extent = solid::require_extent(body, error, rays);
+    return solid::good_mesh_of(body, extent, options, facts);
+}
+
+solid::TriangleMesh remeshed(const char* scene, double tolerance)
+{
     solid::RefineOptions options;
     options.tolerance = tolerance;
     solid::MeshFacts facts;
-    return solid::good_mesh_of(body, extent, options, facts);
+    return good_mesh(body_of(scene), options, facts);
 }
 
 double least_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
@@ -190,11 +194,8 @@ TEST_CASE("folds that no step unfolds are cut out", "[solid]")
         "difference { union { cylinder { <0, 0, 0>, <0, 0.5, 0>, 3 } cone { <0, 0.5, 0>, 1.6, <0, 1.5, 0>, 1.2 } } "
         "cylinder { <0, -1, 0>, <0, 2, 0>, 0.8 } cylinder { <0, 1.25, 0>, <0, 2, 0>, 0.95 } "
         "#for (I, 0, 7) cylinder { <2.3, -1, 0>, <2.3, 1, 0>, 0.3 rotate 45 * I * y } #end }");
-    double error = 0.0;
-    std::uint64_t rays = 0;
-    const csg::Aabb extent = solid::require_extent(body, error, rays);
     solid::MeshFacts facts;
-    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, solid::RefineOptions{}, facts);
+    const solid::TriangleMesh mesh = good_mesh(body, solid::RefineOptions{}, facts);
     REQUIRE(facts.remeshed);
     CHECK(solid::check(mesh).good());
     CHECK(solid::crossings(mesh) == 0);
@@ -210,11 +211,8 @@ TEST_CASE("no triangle of a toothed wheel looks away from its surface", "[solid]
                 "#for (I, 0, 15) prism { linear_spline -0.5, 0.5, 5, <2.2, -0.34>, <3, -0.16>, <3, 0.16>, <2.2, 0.34>, "
                 "<2.2, -0.34> rotate 22.5 * I * y } #end cylinder { <0, -0.9, 0>, <0, 0.9, 0>, 1 } } "
                 "cylinder { <0, -1, 0>, <0, 1, 0>, 0.6 } box { <-0.15, -1, 0>, <0.15, 1, 0.8> } }");
-    double error = 0.0;
-    std::uint64_t rays = 0;
-    const csg::Aabb extent = solid::require_extent(body, error, rays);
     solid::MeshFacts facts;
-    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, solid::RefineOptions{}, facts);
+    const solid::TriangleMesh mesh = good_mesh(body, solid::RefineOptions{}, facts);
     REQUIRE(facts.remeshed);
     std::size_t away = 0;
     for (const auto& t : mesh.triangles) {
@@ -229,17 +227,14 @@ TEST_CASE("no triangle of a toothed wheel looks away from its surface", "[solid]
 TEST_CASE("julia sets are made anew, and what is late is not", "[solid]")
 {
     const solid::Body body = body_of("julia_fractal { <-0.1, 0.3, 0.1, 0.1> quaternion sqr max_iteration 3 }");
-    double error = 0.0;
-    std::uint64_t rays = 0;
-    const csg::Aabb extent = solid::require_extent(body, error, rays);
     solid::RefineOptions options;
     options.tolerance = 0.03;
     solid::MeshFacts facts;
-    const solid::TriangleMesh mesh = solid::good_mesh_of(body, extent, options, facts);
+    const solid::TriangleMesh mesh = good_mesh(body, options, facts);
     CHECK(facts.remeshed);
     CHECK(solid::check(mesh).good());
     CHECK(thin_share(mesh) < 0.01);
     options.deadline = std::chrono::steady_clock::now();
-    CHECK(solid::check(solid::good_mesh_of(body, extent, options, facts)).good());
+    CHECK(solid::check(good_mesh(body, options, facts)).good());
     CHECK(!facts.remeshed);
 }
