@@ -23,11 +23,11 @@ double cell_size(std::span<const glm::dvec3> vertices)
 /// A cell's number along each axis: below 2^22, but for what is infinite or no number.
 std::array<std::int32_t, 3> cell_of(const glm::dvec3& p, double per_unit)
 {
-    constexpr double kBeyond = 1 << 30;
+    constexpr double kFarthestCell = 1 << 30;
     std::array<std::int32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
         const double v = std::round(p[axis] * per_unit);
-        if (v == v) cell[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(std::clamp(v, -kBeyond, kBeyond));
+        if (v == v) cell[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(std::clamp(v, -kFarthestCell, kFarthestCell));
     }
     return cell;
 }
