@@ -11,3 +11,13 @@ function(precompiled target)
     target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
   endif()
 endfunction()
+
+# precompiled_like(OWNER TARGET...): the same file as OWNER's, which has to be made without options that TARGET lacks.
+function(precompiled_like owner)
+  foreach(target ${ARGN})
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+      target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+    endif()
+  endforeach()
+endfunction()

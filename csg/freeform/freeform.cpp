@@ -25,6 +25,8 @@ glm::dvec3 into(const Kind& kind, const Transform& frame, const glm::dvec3& poin
 
 }  // namespace
 
+FreeformShape::~FreeformShape() = default;
+
 Aabb FreeformShape::extent(const Transform& moved) const
 {
     return std::visit(

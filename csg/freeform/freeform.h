@@ -30,12 +30,20 @@ class ShapeMadeLater;
 /// into every query. Each shape lives in its own space. A new one is a file in freeform/, a name in this list and its
 /// grammar (README.md).
 struct FreeformShape {
+    template <class T>
+    explicit FreeformShape(T shape, std::shared_ptr<ShapeMadeLater> made_later = nullptr)
+        : kind(std::in_place_type<T>, std::move(shape)), later(std::move(made_later))
+    {}
+    ~FreeformShape();
+    FreeformShape(const FreeformShape&) = delete;
+    FreeformShape& operator=(const FreeformShape&) = delete;
+
     std::variant<BicubicPatch, Blob, ConicPrism, HeightField, Isosurface, Julia, Lathe, Lemon, Ovus, Parametric,
                  Polygon, Sor, SphereSweep, SpindleTorus, Superellipsoid>
         kind;
     /// Set for a shape that is costly to make: a description may be copied often, or never be drawn. `kind` then holds
     /// only what the shape was described by.
-    std::shared_ptr<ShapeMadeLater> later = nullptr;
+    std::shared_ptr<ShapeMadeLater> later;
 
     /// The box that POV-Ray's min_extent() and max_extent() tell of the shape under a transformation: the shape's own
     /// extent() if it has one, else the box around its bounds.
@@ -45,7 +53,7 @@ struct FreeformShape {
 template <class T, class... Args>
 std::shared_ptr<const FreeformShape> make_freeform(Args&&... args)
 {
-    return std::make_shared<const FreeformShape>(FreeformShape{T(std::forward<Args>(args)...)});
+    return std::make_shared<const FreeformShape>(T(std::forward<Args>(args)...));
 }
 
 /// Makes a shape when it is first asked for; from any thread.
@@ -73,7 +81,7 @@ template <class T, class F>
 std::shared_ptr<const FreeformShape> make_freeform_later(T described, F make)
 {
     auto later = std::make_shared<ShapeMadeLater>([make = std::move(make)] { return make_freeform<T>(make()); });
-    return std::make_shared<const FreeformShape>(FreeformShape{std::move(described), std::move(later)});
+    return std::make_shared<const FreeformShape>(std::move(described), std::move(later));
 }
 
 /// The shape to draw: made now if it was only described so far.

@@ -2,6 +2,7 @@
 
 #include "parser/stream/expression.h"
 #include "parser/stream/token_stream.h"
+#include "render/scene/base/sealed.h"
 
 #include <tao/pegtl.hpp>
 
@@ -25,10 +26,17 @@ namespace parser {
 
 namespace pegtl = tao::pegtl;
 
+struct OperandKinds {
+    using variant = std::variant<double, glm::dvec2, glm::dvec3, glm::dvec4, scene::Color, std::string>;
+};
+}  // namespace parser
+extern template struct scene::Sealed<parser::OperandKinds>;
+namespace parser {
+
 /// Values read by leaf rules, waiting for the action of the construct around them.
 class OperandStack {
 public:
-    using Operand = std::variant<double, glm::dvec2, glm::dvec3, glm::dvec4, scene::Color, std::string>;
+    using Operand = scene::Sealed<OperandKinds>;
     using Memory = std::vector<Operand>;
 
     /// Lies on top of what `memory` holds: blocks within blocks use one, so none of them has to ask for memory.

@@ -20,7 +20,7 @@ std::uint32_t normal_number(std::uint32_t hash)
 }
 
 /// A text between quotation marks of JSON.
-std::string quoted(std::string_view text)
+std::string json_text(std::string_view text)
 {
     std::string out = "\"";
     for (const char c : text) {
@@ -86,7 +86,7 @@ std::vector<std::pair<std::string, std::string>> cryptomatte_attributes(const st
     std::set<std::string_view> told;
     for (const std::string& name : names)
         if (told.insert(name).second)
-            manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "{" : ",", quoted(name),
+            manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "{" : ",", json_text(name),
                                     normal_number(murmur3(name)));
     manifest += manifest.empty() ? "{}" : "}";
     const std::string key = fmt::format("cryptomatte/{:07x}/", murmur3(kName) >> 4);

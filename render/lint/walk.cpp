@@ -90,7 +90,7 @@ std::string_view name_of(const scene::Object& object)
     static constexpr std::string_view kShapes[] = {
         "sphere",          "box",  "plane", "cylinder",   "cone",   "torus",  "quadric",     "disc", "triangle",
         "smooth_triangle", "mesh", "prism", "polynomial", "object", "object", "light_source"};
-    static_assert(std::size(kShapes) == std::variant_size_v<scene::Shape>);
+    static_assert(std::size(kShapes) == std::variant_size_v<scene::ShapeKinds::variant>);
     return kShapes[object.shape.index()];
 }
 

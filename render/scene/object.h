@@ -3,6 +3,7 @@
 #include "csg/solids/shared/outline_shape.h"
 #include "csg/solids/shared/polynomial_shape.h"
 #include "csg/base/types.h"
+#include "render/scene/base/sealed.h"
 #include "render/scene/base/shared.h"
 #include "render/scene/textures/texture.h"
 
@@ -158,8 +159,11 @@ struct Light {
     std::shared_ptr<const Object> looks_like, projected_through;
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Shared<Quadric>, Disc, Triangle,
+struct ShapeKinds {
+    using variant = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Shared<Quadric>, Disc, Triangle,
                            Shared<SmoothTriangle>, Mesh, Extrusion, Polynomial, Freeform, Csg, Shared<Light>>;
+};
+using Shape = Sealed<ShapeKinds>;
 
 struct Flags {
     bool no_shadow : 1 = false;
@@ -215,6 +219,7 @@ struct Object {
     void transform_by(const csg::Transform& t, const BoxGrowth& growth);
 };
 static_assert(sizeof(Object) <= 128);
+extern template struct Sealed<ShapeKinds>;
 
 struct FirstClips {
     std::vector<Object> clips;

@@ -1,5 +1,7 @@
 #include "parser/stream/values/value.h"
 
+template struct scene::Sealed<parser::ValueKinds>;
+
 namespace parser {
 
 scene::Color Tuple::color() const
@@ -19,7 +21,7 @@ std::string_view type_name(const Value& value)
         "normal",    "finish",      "interior",  "material", "color_map", "pigment_map", "normal_map",
         "slope_map", "texture_map", "transform", "camera",   "fog",       "sky_sphere",  "function",
         "spline",    "macro",       "file",      "effect",   "effect",    "effect",      "dictionary"};
-    static_assert(std::size(kNames) == std::variant_size_v<Value::variant>);
+    static_assert(std::size(kNames) == std::variant_size_v<ValueKinds::variant>);
     return kNames[value.index()];
 }
 

@@ -2,6 +2,7 @@
 
 #include "function/program.h"
 #include "parser/lexer/token.h"
+#include "render/scene/base/sealed.h"
 #include "render/scene/description.h"
 
 #include <array>
@@ -59,10 +60,9 @@ using TextureMap = std::vector<scene::MapEntry<scene::TexturePtr>>;
 struct Macro;     ///< token_stream.h
 struct DataFile;  ///< data_file.h
 
-/// What an identifier may stand for. Scene things are shared and never changed in place.
-/// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
-struct Value
-    : std::variant<std::monostate,  // never set
+struct ValueKinds {
+    using variant =
+        std::variant<std::monostate,  // never set
                    Tuple, std::string, std::shared_ptr<Array>, std::shared_ptr<const scene::Object>, scene::TexturePtr,
                    scene::PigmentPtr, scene::NormalPtr, std::shared_ptr<const scene::Finish>,
                    std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>,
@@ -72,21 +72,29 @@ struct Value
                    std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>, function::FunctionPtr,
                    std::shared_ptr<const function::Spline>, std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
                    std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>,
-                   std::shared_ptr<const scene::Rainbow>, std::shared_ptr<Dictionary>> {
-    using variant::variant;
-    using variant::operator=;
+                   std::shared_ptr<const scene::Rainbow>, std::shared_ptr<Dictionary>>;
+};
+}  // namespace parser
+extern template struct scene::Sealed<parser::ValueKinds>;
+namespace parser {
+
+/// What an identifier may stand for. Scene things are shared and never changed in place.
+/// A texture identifier keeps its layers; a `color_map` and a colour list are both ColorMap.
+struct Value : scene::Sealed<ValueKinds> {
+    using Sealed::Sealed;
+    using Sealed::operator=;
 
     bool set() const { return index() != 0; }
     /// Pointer to the content if it is a T, else null: value.get_if<scene::TexturePtr>().
     template <class T>
     const T* get_if() const
     {
-        return std::get_if<T>(static_cast<const variant*>(this));
+        return std::get_if<T>(static_cast<const Base*>(this));
     }
     template <class T>
     T* get_if()
     {
-        return std::get_if<T>(static_cast<variant*>(this));
+        return std::get_if<T>(static_cast<Base*>(this));
     }
 };
 

@@ -3,6 +3,7 @@
 #include "csg/base/types.h"
 #include "function/program.h"
 #include "render/scene/base/color.h"
+#include "render/scene/base/sealed.h"
 #include "render/scene/base/shared.h"
 #include "render/scene/base/source_ref.h"
 
@@ -43,7 +44,11 @@ struct MappingWarp {
 };
 
 /// One step of a pattern's coordinate change.
-using WarpStep = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
+struct WarpStepKinds {
+    using variant = std::variant<csg::Transform, Turbulence, RepeatWarp, BlackHoleWarp, MappingWarp>;
+};
+extern template struct Sealed<WarpStepKinds>;
+using WarpStep = Sealed<WarpStepKinds>;
 
 struct ColorFunctions;
 struct DensityFile;
@@ -55,8 +60,12 @@ struct Pigment;
 
 /// What a pattern looks its values up in: image_map, image_pattern, bump_map, material_map; density_file; object and
 /// potential; user_defined.
-using PatternData = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>,
+struct PatternDataKinds {
+    using variant = std::variant<std::monostate, std::shared_ptr<const ImageMap>, std::shared_ptr<const DensityFile>,
                                  std::shared_ptr<const Object>, std::shared_ptr<const ColorFunctions>>;
+};
+extern template struct Sealed<PatternDataKinds>;
+using PatternData = Sealed<PatternDataKinds>;
 
 /// One entry of a catalogue: `name` is POV-Ray's keyword ("checker", "gradient", "granite", ...).
 /// Parameters have fixed meanings per pattern, see docs/patterns.md.

@@ -1,0 +1,3 @@
+#include "parser/stream/token_input.h"
+
+template struct scene::Sealed<parser::OperandKinds>;
