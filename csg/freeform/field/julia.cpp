@@ -43,7 +43,7 @@ Julia::Julia(const JuliaTerms& terms) : terms_(terms), step_(1.0 / terms.precisi
 glm::dvec4 Julia::plain_start(const glm::dvec3& p) const
 {
     glm::dvec4 q = lifted(p);
-    if (terms_.extruded && terms_.function > Function::Reciprocal) q.z = q.y;
+    if (terms_.as_37 && terms_.function > Function::Reciprocal) q.z = q.y;
     return q;
 }
 
@@ -125,7 +125,7 @@ glm::dvec3 Julia::into(const Transform& frame, const glm::dvec3& point) const
 void Julia::intersect(const Ray& ray, IntersectionList& out, bool moved) const
 {
     if (whole()) return intersect_whole(ray, out);
-    const julia::Way way(ray, moved, terms_.looks_beyond, radius_, out);
+    const julia::Way way(ray, moved, !terms_.as_37, radius_, out);
     if (!way.meets) return;
     const Ray& unit = way.unit;
     double t = way.begin;

@@ -31,7 +31,7 @@ public:
     void begin(const Ray& ray, bool moved, IntersectionList& out)
     {
         March& m = marches_[count_];
-        m.way = julia::Way(ray, moved, set_.terms_.looks_beyond, set_.radius_, out);
+        m.way = julia::Way(ray, moved, !set_.terms_.as_37, set_.radius_, out);
         m.out = &out;
         m.t = m.way.begin;
         m.phase = Phase::First;

@@ -45,7 +45,7 @@ private:
         leave(lane);
         while (next_ray_ < rays_.size()) {
             const std::size_t k = next_ray_++;
-            const julia::Way way(rays_[k], moved_, set_.terms_.looks_beyond, set_.radius_, out_[k]);
+            const julia::Way way(rays_[k], moved_, !set_.terms_.as_37, set_.radius_, out_[k]);
             if (!way.meets) continue;
             orbits_.set_ray(lane, way.unit);
             t_[lane] = way.begin, end_[lane] = way.end, last_[lane] = way.last, nearest_[lane] = way.nearest;

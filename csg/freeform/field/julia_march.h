@@ -39,7 +39,7 @@ struct Way {
     bool meets = false;
 
     Way() = default;
-    /// `moved`: through a transformation, as in Julia::intersect(); `beyond`: JuliaTerms::looks_beyond.
+    /// `moved`: through a transformation, as in Julia::intersect(); `beyond`: unless JuliaTerms::as_37.
     Way(const Ray& ray, bool moved, bool beyond, double radius, const IntersectionList& asked)
         : unit(ray), length(std::sqrt(glm::dot(ray.direction, ray.direction)))
     {

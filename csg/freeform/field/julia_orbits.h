@@ -108,7 +108,7 @@ private:
         case JuliaTerms::Function::HyperCube: return hypercomplex<V, false>(q, asked, stepping, square);
         default:
             // As Julia::plain_start() has it.
-            for (int v = 0; set_.terms_.extruded && v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
+            for (int v = 0; set_.terms_.as_37 && v < V; ++v) q[v].z = pick(part(stepping, v), q[v].z, q[v].y);
             return hypercomplex<V, false>(q, asked, stepping, [&](const Four& p, Four& rate) {
                 rate = julia::by_parts(set_.terms_.function, p, set_.terms_.exponent);
                 return Four{rate.x + cx, rate.y + cy, rate.z + cz, rate.w + cw};

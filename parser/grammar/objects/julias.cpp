@@ -120,8 +120,7 @@ bool read_parameters(SolidReader& s, JuliaFractal& julia)
     terms.precision = julia.precision;
     if (julia.slice) terms.slice = *julia.slice;
     terms.slice_distance = julia.slice_distance;
-    terms.extruded = s.in().povray() == scene::PovRay::V37;
-    terms.looks_beyond = !terms.extruded;
+    terms.as_37 = s.in().povray() == scene::PovRay::V37;
     s.object().shape = scene::Freeform{csg::make_freeform<csg::Julia>(terms)};
     return true;
 }

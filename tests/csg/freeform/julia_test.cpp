@@ -116,7 +116,7 @@ TEST_CASE("a crossing shortly before the end of what is asked is found", "[csg][
     // The look behind it lies beyond that end, as under a clip or where a lamp stands in the set.
     for (const Function f : {Function::Square, Function::HyperSquare, Function::Sin}) {
         JuliaTerms t = terms(f);
-        t.looks_beyond = true;
+        t.as_37 = false;
         const Julia set(t);
         std::vector<Ray> rays;
         std::vector<double> entries;
