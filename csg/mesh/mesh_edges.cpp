@@ -27,7 +27,9 @@ std::array<std::int32_t, 3> cell_of(const glm::dvec3& p, double per_unit)
     std::array<std::int32_t, 3> cell{};
     for (int axis = 0; axis < 3; ++axis) {
         const double v = std::round(p[axis] * per_unit);
-        if (v == v) cell[static_cast<std::size_t>(axis)] = static_cast<std::int32_t>(std::clamp(v, -kFarthestCell, kFarthestCell));
+        if (v == v)
+            cell[static_cast<std::size_t>(axis)] =
+                static_cast<std::int32_t>(std::clamp(v, -kFarthestCell, kFarthestCell));
     }
     return cell;
 }

@@ -161,7 +161,7 @@ struct Light {
 
 struct ShapeKinds {
     using variant = std::variant<Sphere, Box, Plane, Cylinder, Cone, Torus, Shared<Quadric>, Disc, Triangle,
-                           Shared<SmoothTriangle>, Mesh, Extrusion, Polynomial, Freeform, Csg, Shared<Light>>;
+                                 Shared<SmoothTriangle>, Mesh, Extrusion, Polynomial, Freeform, Csg, Shared<Light>>;
 };
 using Shape = Sealed<ShapeKinds>;
 

@@ -37,9 +37,9 @@ struct JuliaTerms {
     double precision = 20.0;               ///< at least 1: steps of a ray are no shorter than one part of so many
     glm::dvec4 slice{0.0, 0.0, 0.0, 1.0};  ///< normal of the slice through four dimensions; the last is not 0
     double slice_distance = 0.0;
-    /// As POV-Ray 3.7 draws it: functions that are no polynomials lose a component where a point is asked about (spec 5b, 12.1), and a
-    /// crossing between the last look within what is asked and the next is not found (spec 5b, 12.2): rays that end within the
-    /// set or are clipped there lose some. False: as 3.8.
+    /// As POV-Ray 3.7 draws it: functions that are no polynomials lose a component where a point is asked about (spec
+    /// 5b, 12.1), and a crossing between the last look within what is asked and the next is not found (spec 5b, 12.2):
+    /// rays that end within the set or are clipped there lose some. False: as 3.8.
     bool as_37 = true;
     bool whole = false;  ///< rays of polynomials are told every crossing, no matter what the precision is
 };

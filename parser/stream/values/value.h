@@ -61,18 +61,17 @@ struct Macro;     ///< token_stream.h
 struct DataFile;  ///< data_file.h
 
 struct ValueKinds {
-    using variant =
-        std::variant<std::monostate,  // never set
-                   Tuple, std::string, std::shared_ptr<Array>, std::shared_ptr<const scene::Object>, scene::TexturePtr,
-                   scene::PigmentPtr, scene::NormalPtr, std::shared_ptr<const scene::Finish>,
-                   std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>,
-                   std::shared_ptr<const scene::ColorMap>, std::shared_ptr<const scene::PigmentMap>,
-                   std::shared_ptr<const NormalMap>, std::shared_ptr<const SlopeMap>, std::shared_ptr<const TextureMap>,
-                   std::shared_ptr<const csg::Transform>, std::shared_ptr<const scene::Camera>,
-                   std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>, function::FunctionPtr,
-                   std::shared_ptr<const function::Spline>, std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
-                   std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>,
-                   std::shared_ptr<const scene::Rainbow>, std::shared_ptr<Dictionary>>;
+    using variant = std::variant<
+        std::monostate,  // never set
+        Tuple, std::string, std::shared_ptr<Array>, std::shared_ptr<const scene::Object>, scene::TexturePtr,
+        scene::PigmentPtr, scene::NormalPtr, std::shared_ptr<const scene::Finish>,
+        std::shared_ptr<const scene::Interior>, std::shared_ptr<const Material>, std::shared_ptr<const scene::ColorMap>,
+        std::shared_ptr<const scene::PigmentMap>, std::shared_ptr<const NormalMap>, std::shared_ptr<const SlopeMap>,
+        std::shared_ptr<const TextureMap>, std::shared_ptr<const csg::Transform>, std::shared_ptr<const scene::Camera>,
+        std::shared_ptr<const scene::Fog>, std::shared_ptr<const scene::SkySphere>, function::FunctionPtr,
+        std::shared_ptr<const function::Spline>, std::shared_ptr<const Macro>, std::shared_ptr<DataFile>,
+        std::shared_ptr<const scene::Media>, std::shared_ptr<const scene::Density>,
+        std::shared_ptr<const scene::Rainbow>, std::shared_ptr<Dictionary>>;
 };
 }  // namespace parser
 extern template struct scene::Sealed<parser::ValueKinds>;

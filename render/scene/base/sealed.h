@@ -4,9 +4,10 @@
 
 namespace scene {
 
-/// A std::variant whose copying, moving and destroying are compiled once instead of in every source that holds one: each of them is a
-/// table of functions, one per type, and these tables were a sixth of what parser and plan cost the compiler. `Kinds::variant`
-/// is the std::variant. The header says `extern template struct Sealed<Kinds>;`, one source `template struct Sealed<Kinds>;`.
+/// A std::variant whose copying, moving and destroying are compiled once instead of in every source that holds one:
+/// each of them is a table of functions, one per type, and these tables were a sixth of what parser and plan cost the
+/// compiler. `Kinds::variant` is the std::variant. The header says `extern template struct Sealed<Kinds>;`, one source
+/// `template struct Sealed<Kinds>;`.
 template <class Kinds>
 struct Sealed : Kinds::variant {
     using Base = typename Kinds::variant;
