@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kLeastStep = 1e-9;  // of the container: of shorter ones rounding leaves less than 6 digits
 constexpr double kOnSphere = 1e-10;  // a crossing as near to the sphere has the sphere's normal (spec 5b, 13.4)
+constexpr double kShortWay = 0.125;  // of the way: a search for what is on it is shorter by a step or more
+constexpr double kOnWall = 1e-9;     // of the container: an undrawn end as near to a side of the box is on it
 
 }  // namespace
 
@@ -45,13 +47,18 @@ void Isosurface::intersect(const Ray& ray, IntersectionList& out) const
 {
     Interval way;
     if (!terms_.container.interval(ray, way) || way.exit < std::max(out.from, 0.0) || way.entry > out.to) return;
+    const Interval whole = way;
+    if (terms_.short_ways && out.to - out.from < kShortWay * (way.exit - way.entry)) {
+        way.entry = std::max(way.entry, out.from);
+        way.exit = std::min(way.exit, out.to);
+    }
     IsosurfaceSearch search(terms_, ray, way, out.to);
     const double accuracy = search.accuracy();
     const Start begin = start(search, way);
     if (way.exit - begin.t < accuracy) return;
     int left = terms_.max_trace - (begin.wall ? 1 : 0);
     bool inside = begin.inside;
-    if (inside && !out.enter(way.entry, begin.wall ? way.entry_face : kUndrawnFace)) return;
+    if (inside && !out.enter(whole.entry, begin.wall ? way.entry_face : kUndrawnFace)) return;
     // The wall is drawn where a ray goes out only if it began inside.
     const bool wall = !terms_.open && std::max(way.entry, 0.0) <= accuracy && search.value(way.exit) < 0.0;
     double t = 0.0, from = begin.t;
@@ -67,7 +74,7 @@ void Isosurface::intersect(const Ray& ray, IntersectionList& out) const
         if (wall) out.touch(way.exit, way.exit_face);
         return;
     }
-    if (inside) out.leave(way.exit, wall ? way.exit_face : kUndrawnFace);
+    if (inside) out.leave(whole.exit, wall ? way.exit_face : kUndrawnFace);
 }
 
 std::optional<glm::dvec3> Isosurface::wall_gradient(const glm::dvec3& p, std::uint32_t face) const
@@ -76,6 +83,13 @@ std::optional<glm::dvec3> Isosurface::wall_gradient(const glm::dvec3& p, std::ui
     if (face < kField) return c.normal(p, face);
     if (c.is_sphere && std::abs(std::sqrt(glm::dot(p - c.center, p - c.center)) - c.radius) < kOnSphere)
         return p - c.center;
+    if (c.is_sphere || face != kUndrawnFace) return {};
+    const glm::dvec3 size = c.upper - c.lower;
+    const double near = kOnWall * glm::max(glm::max(size.x, size.y), size.z);
+    for (std::uint32_t k = 0; k < 6; ++k) {
+        const auto axis = static_cast<int>(k / 2);
+        if (std::abs(p[axis] - (k % 2 == 0 ? c.lower : c.upper)[axis]) < near) return c.normal(p, k);
+    }
     return {};
 }
 

@@ -21,6 +21,9 @@ struct IsosurfaceTerms {
     glm::dvec3 growth{0.0};
     int max_trace = 1;  ///< crossings drawn on one ray
     bool open = false;  ///< the container's wall is not drawn
+    /// Of a ray that is asked about a short part of its way nothing else is looked at: what is told of it there differs
+    /// up to the accuracy from what is told of the whole.
+    bool short_ways = false;
     Container container;
 };
 
@@ -37,7 +40,7 @@ public:
     void intersect(const Ray& ray, IntersectionList& out) const;
     /// Where the field is asked at points alone: eight rays ask for theirs together. One with ranges asks for eight of
     /// one ray.
-    bool intersects_many() const { return !terms_.field->ranged() || terms_.trusting; }
+    bool intersects_many() const { return (!terms_.field->ranged() || terms_.trusting) && !terms_.short_ways; }
     void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const
     {
@@ -59,7 +62,7 @@ private:
     static constexpr std::uint32_t kField = 7;  ///< face of the field's own crossings; below it the container's
     class Walk;
     struct Start;
-    /// Of a point that the container draws; of the field's nothing.
+    /// Of a point that the container draws, or would if its walls were drawn; of the field's nothing.
     std::optional<glm::dvec3> wall_gradient(const glm::dvec3& p, std::uint32_t face) const;
     double difference_step() const;
     Start start(IsosurfaceSearch& search, const Interval& way) const;

@@ -41,6 +41,11 @@ public:
     Aabb space() const;  ///< has no lower end
     Aabb extent() const;
     std::size_t bytes() const;
+    /// Sides of a cell along x and z.
+    glm::dvec2 cell() const
+    {
+        return empty() ? glm::dvec2(1.0) : glm::dvec2(1.0 / (grid_.columns - 1), 1.0 / (grid_.rows - 1));
+    }
     bool blends_normals() const { return grid_.smooth; }
 
     static constexpr bool kSurface = false, kClosed = false, kInverseClosed = true;

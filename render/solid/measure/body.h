@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/world/world.h"
+#include "csg/world/inside_lines.h"
 #include "render/plan/probe.h"
 
 #include <memory>
@@ -11,24 +11,9 @@
 /// Objects of a scene as bodies: measured, and written as triangles.
 namespace solid {
 
-/// A place where a line passes through the boundary of a body.
-struct End {
-    double t = 0.0;
-    csg::PartId part = csg::kNoPart;
-    std::uint32_t face = 0;
-    std::uint32_t instance = csg::Hit::kNoInstance;
-    bool inverted = false;
-};
-
-/// A part of a line inside a body.
-struct Chord {
-    End in, out;
-    double length() const { return out.t - in.t; }
-};
-
-/// Where a line is in a box that is wider by `room` on each side, from and to; nowhere if the first is above the
-/// second.
-std::pair<double, double> line_in_box(const csg::Aabb& box, const csg::Ray& line, double room = 0.0);
+using csg::Chord;
+using csg::line_in_box;
+using End = csg::LineEnd;
 
 /// What a body cannot be: without an end, or with nothing inside.
 class NoBody : public std::runtime_error {
@@ -44,34 +29,31 @@ public:
     Body(const scene::Object& object, const scene::GlobalSettings& global);
 
     /// A box around the inside. Sides are infinite where nothing says where it ends; empty: there is no inside.
-    const csg::Aabb& bounds() const { return bounds_; }
+    const csg::Aabb& bounds() const { return lines_.bounds(); }
 
-    /// The parts inside of the line through `point` along the unit vector `direction` that meet [from, to], correct
-    /// within that range only. Sorted and disjoint. Chords and gaps shorter than slack() are left out: faces in one
-    /// place leave such films. Wherever the point is, the line is followed from before the body: the same place is told
-    /// for the same line. Of a body without end it is followed from `from`, which is finite then.
+    /// csg::InsideLines::chords() of the line through `point` along the unit vector `direction`.
     void chords(const glm::dvec3& point, const glm::dvec3& direction, double from, double to,
-                std::vector<Chord>& out) const;
+                std::vector<Chord>& out) const
+    {
+        lines_.chords({point, direction}, from, to, out);
+    }
+    /// For the kernel's own build, which is asked for many lines at a time (trace::KernelTable).
+    const csg::InsideLines& lines() const { return lines_; }
 
     /// Out of the body, unit length; 0 where the solid does not know it: at ends that are not drawn.
     glm::dvec3 normal(const glm::dvec3& point, const End& end) const;
 
     bool inside(const glm::dvec3& point, const glm::dvec3& along) const;
 
-    double slack() const { return slack_; }
+    double slack() const { return lines_.slack(); }
 
-    /// Whether a part of it is not worth being remeshed: isosurfaces are searched along each line, which is slow, and a
-    /// height field is small facets.
-    bool is_unsmooth() const { return unsmooth_; }
+    /// Facets of its height fields are so wide: what is finer is not smooth. 0: there are none.
+    double grain() const { return grain_; }
 
 private:
     plan::ObjectProbe probe_;
-    csg::Aabb bounds_;
-    std::vector<csg::Aabb> boxes_;  ///< around the inside of each item
-    glm::dvec3 middle_{0.0};
-    double radius_ = 0.0;  ///< of a sphere about middle_ that holds the box, where that is finite
-    double slack_ = 0.0;
-    bool unsmooth_ = false;
+    csg::InsideLines lines_;
+    double grain_ = 0.0;
 };
 
 }  // namespace solid

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace solid {
 namespace {
@@ -62,9 +63,37 @@ private:
     std::uint64_t rays_ = 987, before_ = 610;
 };
 
+/// Rays that are sent together, and what they met.
+struct Tile {
+    csg::LineTile lines;
+    csg::ChordTile chords;
+};
+
+/// Of a line through p along an axis.
+void add_chord(const Body& body, const glm::dvec3& p, int axis, const Chord& chord, Sums& sums)
+{
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const double a = p[u], b = p[v], lo = p[axis] + chord.in.t, hi = p[axis] + chord.out.t, length = hi - lo;
+    const double middle = 0.5 * (lo + hi), one = length * middle;
+    sums.volume += length;
+    sums.first[axis] += one;
+    sums.first[u] += length * a;
+    sums.first[v] += length * b;
+    sums.square[axis] += length * (middle * middle + length * length / 12.0);
+    sums.square[u] += length * a * a;
+    sums.square[v] += length * b * b;
+    sums.product[axis] += length * a * b;  // of the other two
+    sums.product[v] += one * a;
+    sums.product[u] += one * b;
+    for (const End* end : {&chord.in, &chord.out}) {
+        const glm::dvec3 n = body.normal(p + end->t * unit(axis), *end);
+        sums.surface += std::abs(n[axis]);  // 1 / |n| of area, by the share n * n that this axis has in it
+    }
+}
+
 /// Some rays along one axis, in the places of Fibonacci's lattice, which a run shifts by random amounts.
 Sums some_rays(const Body& body, const csg::Aabb& box, int axis, int run, const Ladder& ladder, std::uint64_t first,
-               std::vector<Chord>& chords)
+               Tile& tile)
 {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const glm::dvec3 size = box.upper - box.lower, direction = unit(axis);
@@ -76,30 +105,17 @@ Sums some_rays(const Body& body, const csg::Aabb& box, int axis, int run, const 
         return x < 1.0 ? x : x - 1.0;
     };
     Sums sums;
-    for (std::uint64_t i = first; i < last; ++i) {
-        glm::dvec3 p = box.lower;
-        p[u] += size[u] * place(i, right);
-        p[v] += size[v] * place(i * ladder.step() % rays, up);
-        body.chords(p, direction, -csg::kInfinity, csg::kInfinity, chords);
-        const double a = p[u], b = p[v], base = p[axis];
-        for (const Chord& chord : chords) {
-            const double lo = base + chord.in.t, hi = base + chord.out.t, length = hi - lo;
-            const double middle = 0.5 * (lo + hi), one = length * middle;
-            sums.volume += length;
-            sums.first[axis] += one;
-            sums.first[u] += length * a;
-            sums.first[v] += length * b;
-            sums.square[axis] += length * (middle * middle + length * length / 12.0);
-            sums.square[u] += length * a * a;
-            sums.square[v] += length * b * b;
-            sums.product[axis] += length * a * b;  // of the other two
-            sums.product[v] += one * a;
-            sums.product[u] += one * b;
-            for (const End* end : {&chord.in, &chord.out}) {
-                const glm::dvec3 n = body.normal(p + end->t * direction, *end);
-                sums.surface += std::abs(n[axis]);  // 1 / |n| of area, by the share n * n that this axis has in it
-            }
+    for (std::uint64_t start = first; start < last; start += csg::kTileRays) {
+        tile.lines.count = 0;
+        for (std::uint64_t i = start; i < std::min<std::uint64_t>(last, start + csg::kTileRays); ++i) {
+            glm::dvec3 p = box.lower;
+            p[u] += size[u] * place(i, right);
+            p[v] += size[v] * place(i * ladder.step() % rays, up);
+            tile.lines.add({p, direction}, -csg::kInfinity, csg::kInfinity);
         }
+        body.lines().chords(tile.lines, tile.chords);
+        for (std::size_t k = 0; k < tile.lines.count; ++k)
+            for (const Chord& chord : tile.chords[k]) add_chord(body, tile.lines.lines[k].origin, axis, chord, sums);
     }
     return sums.scaled(size[u] * size[v] * one_of);
 }
@@ -123,11 +139,11 @@ Estimate estimate(const Body& body, const csg::Aabb& box, const Ladder& ladder, 
     const std::size_t tasks = (ladder.rays() + kOfTask - 1) / kOfTask;
     std::vector<Sums> parts(3 * kRuns * tasks);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size()), [&](const auto& range) {
-        std::vector<Chord> chords;
+        const auto tile = std::make_unique<Tile>();
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             if (cancel != nullptr && *cancel) throw csg::Cancelled();
             const int k = static_cast<int>(i / tasks);
-            parts[i] = some_rays(body, box, k % 3, k / 3, ladder, i % tasks * kOfTask, chords);
+            parts[i] = some_rays(body, box, k % 3, k / 3, ladder, i % tasks * kOfTask, *tile);
         }
     });
     Estimate out;

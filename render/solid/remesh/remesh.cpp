@@ -141,7 +141,6 @@ TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const Refin
     const auto now = std::chrono::steady_clock::now();
     within.deadline = now + (options.deadline - now) / 2;
     for (const double times : kCoarser) {
-        if (body.is_unsmooth()) break;
         facts = {};
         RefineOptions coarse = within;
         coarse.tolerance *= times;

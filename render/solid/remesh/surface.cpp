@@ -242,7 +242,8 @@ void Remesher::find_lengths()
         if (is_sliver(h / 3) || is_sliver(t / 3)) continue;
         const double turn = glm::length(mesh_.facing[h / 3] - mesh_.facing[t / 3]);
         if (turn < 1e-6) continue;
-        const double bend = turn / std::max(glm::length(middle_of(h / 3) - middle_of(t / 3)), 2.0 * options_.tolerance);
+        const double bend = turn / std::max({glm::length(middle_of(h / 3) - middle_of(t / 3)), 2.0 * options_.tolerance,
+                                             body_.grain()});
         const double own = std::max(least_, std::min(std::sqrt(6.0 * off_ / bend), kMostTurn / bend));
         for (const Index v :
              {mesh_.tail(h), mesh_.head(h), mesh_.tail(HalfEdges::before(h)), mesh_.tail(HalfEdges::before(t))})
@@ -315,7 +316,7 @@ std::size_t Remesher::look_for_misfits()
         }
         const double cosine = glm::dot(foot.at.normal, n / area);
         if (std::abs(foot.end.t) > off_) shares[f] = std::clamp(std::sqrt(off_ / std::abs(foot.end.t)), 0.5, 0.9);
-        if (cosine < kWellFacing) shares[f] = std::min(shares[f], cosine < 0.985 ? 0.5 : 0.85);
+        if (cosine < kWellFacing && side > body_.grain()) shares[f] = std::min(shares[f], cosine < 0.985 ? 0.5 : 0.85);
         if (shares[f] >= 1.0) fitting_[f] = middle_of(f);
     });
     std::size_t found = 0;

@@ -24,6 +24,11 @@ TEST_CASE("volume and surface are those of the formulas, within the error told",
         {"torus { 1, 0.25 rotate 33 * x }", 2.0 * kPi * kPi * 0.0625, 4.0 * kPi * kPi * 0.25},
         {"cylinder { 0, 2 * y, 0.5 rotate 25 * z }", kPi * 0.5, kPi * 2.5},
         {"difference { box { -1, 1 } sphere { 0, 0.9 } }", 8.0 - 4.0 / 3.0 * kPi * 0.729, 24.0 + 4.0 * kPi * 0.81},
+        // Its container cuts it off: these sides count, drawn or not.
+        {"isosurface { function { sqrt(x * x + z * z) - 0.5 } max_gradient 2 contained_by { box { <-1, 0, -1>, <1, 2, "
+         "1> } } }",
+         kPi * 0.5, kPi * 2.5},
+        {"isosurface { function { -1 } contained_by { box { -1, 1 } } open }", 8.0, 24.0},
     };
     for (const Known& k : known) {
         INFO(k.scene);
