@@ -2,7 +2,6 @@
 
 #include "function/field/field.h"
 #include "render/app/run/stage_options.h"
-#include "render/kernel/kernel.h"
 #include "render/layers/object_names.h"
 #include "render/picture/kernel_module.h"
 
@@ -11,9 +10,10 @@
 namespace python {
 
 SceneBodies::SceneBodies(Source& source, const Asked& asked, const std::atomic<bool>& cancel)
-    : settings_(settings_of(asked.words)), read_(source.read(settings_, cancel))
+    : settings_(settings_of(asked.words)), kernel_(trace::load_kernel(app::isa_of(settings_))),
+      read_(source.read(settings_, cancel))
 {
-    function::use(trace::load_kernel(app::isa_of(settings_)).evaluators);
+    function::use(kernel_.evaluators);
     const scene::Description& scene = read_->scene;
     const std::vector<std::string> names =
         layers::object_names(scene, [&](const std::string& file) { return source.text_of(file); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "python/binding/bodies.h"
+#include "render/kernel/kernel.h"
 #include "render/scene/object.h"
 
 namespace python {
@@ -17,6 +18,7 @@ public:
     };
     const std::vector<Named>& objects() const { return objects_; }
     const app::Settings& settings() const { return settings_; }
+    const trace::KernelTable& kernel() const { return kernel_; }
     solid::Body body(const Named& of) const { return {*of.object, read_->scene.global}; }
     std::unique_ptr<solid::Body> kept_body(const Named& of) const
     {
@@ -25,6 +27,7 @@ public:
 
 private:
     const app::Settings settings_;
+    const trace::KernelTable& kernel_;
     const Source::Read read_;
     std::vector<Named> objects_;
 };

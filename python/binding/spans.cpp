@@ -27,28 +27,64 @@ struct Run {
     std::vector<std::int32_t> object;
 };
 
-Run run_of(const std::vector<Target>& targets, const Rays& rays, std::size_t from, std::size_t to)
+/// A ray as it is given, as lines are asked: along a unit vector.
+struct Given {
+    csg::Ray line;
+    double length;  ///< of the direction that was given
+};
+
+Given given(const Rays& rays, std::size_t i)
+{
+    const csg::Ray ray = rays[i];
+    const double length = glm::length(ray.direction);
+    if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(ray.origin)))
+        throw app::OptionError(fmt::format("ray {} has no direction or is no number", i));
+    return {{ray.origin, ray.direction / length}, length};
+}
+
+/// What a tile asks of one target: the lines that come to its box.
+struct Asking {
+    csg::LineTile lines;
+    csg::ChordTile chords;
+    std::array<std::int8_t, csg::kTileRays> place;  ///< by ray: in the tile of lines; -1: it passes by
+
+    void ask(const trace::KernelTable& kernel, const Target& target, const std::vector<Given>& rays)
+    {
+        lines.count = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto [first, last] = csg::line_in_box(target.box, rays[i].line);
+            place[i] = -1;
+            if (!(first <= last) || last < 0.0) continue;
+            place[i] = static_cast<std::int8_t>(lines.count);
+            lines.add(rays[i].line, target.box.finite() ? first : 0.0, last);
+        }
+        if (lines.count > 0) kernel.chords(target.body->lines(), lines, chords);
+    }
+};
+
+Run run_of(const trace::KernelTable& kernel, const std::vector<Target>& targets, const Rays& rays, std::size_t from,
+           std::size_t to)
 {
     Run out;
-    std::vector<solid::Chord> chords;
-    for (std::size_t i = from; i < to; ++i) {
-        const std::size_t before = out.ends.size();
-        const csg::Ray given = rays[i];
-        const double length = glm::length(given.direction);
-        if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(given.origin)))
-            throw app::OptionError(fmt::format("ray {} has no direction or is no number", i));
-        const csg::Ray ray{given.origin, given.direction / length};
-        for (std::size_t k = 0; k < targets.size(); ++k) {
-            const auto [first, last] = solid::line_in_box(targets[k].box, ray);
-            if (!(first <= last) || last < 0.0) continue;
-            targets[k].body->chords(ray.origin, ray.direction, targets[k].box.finite() ? first : 0.0, last, chords);
-            for (const solid::Chord& chord : chords) {
-                if (!(chord.out.t > 0.0)) continue;
-                out.ends.push_back({chord.in.t / length, chord.out.t / length});
-                out.object.push_back(static_cast<std::int32_t>(k));
+    std::vector<Given> tile;
+    std::vector<Asking> asked(targets.size());
+    for (std::size_t first = from; first < to; first += csg::kTileRays) {
+        tile.clear();
+        for (std::size_t i = first; i < std::min<std::size_t>(to, first + csg::kTileRays); ++i)
+            tile.push_back(given(rays, i));
+        for (std::size_t k = 0; k < targets.size(); ++k) asked[k].ask(kernel, targets[k], tile);
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            const std::size_t before = out.ends.size();
+            for (std::size_t k = 0; k < targets.size(); ++k) {
+                if (asked[k].place[i] < 0) continue;
+                for (const csg::Chord& chord : asked[k].chords[static_cast<std::size_t>(asked[k].place[i])]) {
+                    if (!(chord.out.t > 0.0)) continue;
+                    out.ends.push_back({chord.in.t / tile[i].length, chord.out.t / tile[i].length});
+                    out.object.push_back(static_cast<std::int32_t>(k));
+                }
             }
+            out.counts.push_back(static_cast<std::uint32_t>(out.ends.size() - before));
         }
-        out.counts.push_back(static_cast<std::uint32_t>(out.ends.size() - before));
     }
     return out;
 }
@@ -93,7 +129,7 @@ std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked&
         arena.execute([&] {
             tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
                 if (job.cancel) throw csg::Cancelled();
-                runs[i] = run_of(targets, rays, i * kRun, std::min((i + 1) * kRun, rays.size()));
+                runs[i] = run_of(bodies.kernel(), targets, rays, i * kRun, std::min((i + 1) * kRun, rays.size()));
             });
         });
         auto out = joined(runs, rays.size());

@@ -369,6 +369,7 @@ const KernelTable kTable = {
         return tracer.find_first_hits(samples, out);
     },
     [](const PathTracer& tracer) { return tracer.counts(); },
+    [](const csg::InsideLines& of, const csg::LineTile& lines, csg::ChordTile& out) { of.chords(lines, out); },
     texture::evaluators(),
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/world/inside_lines.h"
 #include "function/field/field.h"
 #include "render/plan/compiled_scene.h"
 #include "render/scene/base/color.h"
@@ -54,6 +55,8 @@ struct KernelTable {
     bool (*trace_paths)(PathTracer& tracer, std::span<const PathSample> samples, PathFound* out);
     bool (*first_hits)(PathTracer& tracer, std::span<const PathSample> samples, FirstHit* out);
     RayCounts (*path_counts)(const PathTracer& tracer);
+    /// InsideLines::chords() of many lines.
+    void (*chords)(const csg::InsideLines& of, const csg::LineTile& lines, csg::ChordTile& out);
     function::Evaluators evaluators;  ///< for the fields of solids, which live outside of the module
 };
 
