@@ -134,7 +134,8 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
     mesh = remesher.result();
 }
 
-TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
+bool remeshed(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh,
+              MeshFacts& facts)
 {
     RefineOptions within = options;
     // Half of the time: the other is for what is made instead if that was not enough.
@@ -144,14 +145,12 @@ TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const Refin
         facts = {};
         RefineOptions coarse = within;
         coarse.tolerance *= times;
-        TriangleMesh mesh = mesh_of(body, extent, coarse, facts);
-        if (facts.late || facts.full || std::chrono::steady_clock::now() >= within.deadline) break;
-        if (remesh(body, extent, within, mesh)) {
-            facts.remeshed = true;
-            return mesh;
-        }
+        mesh = mesh_of(body, extent, coarse, facts);
+        if (facts.late || facts.full || std::chrono::steady_clock::now() >= within.deadline) return false;
+        facts.remeshed = remesh(body, extent, within, mesh);
+        if (facts.remeshed) return true;
     }
-    return plain_mesh_of(body, extent, options, facts);
+    return false;
 }
 
 TriangleMesh plain_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)

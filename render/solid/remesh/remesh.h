@@ -15,9 +15,10 @@ bool remesh(const Body& body, const csg::Aabb& extent, const RefineOptions& opti
 /// Normals of the body's surface at the corners of a mesh of it that closes; none where it does not.
 void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh);
 
-/// A mesh of few tetrahedra, remeshed: `extent` as met by rays. Where that does not go well, what mesh_of() has, with
-/// normals. Throws csg::Cancelled, NoBody.
-TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts);
+/// A mesh of few tetrahedra, remeshed: `extent` as met by rays. False where that does not go well. Throws
+/// csg::Cancelled, NoBody.
+bool remeshed(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh,
+              MeshFacts& facts);
 
 /// What mesh_of() has, with normals.
 TriangleMesh plain_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts);
