@@ -32,19 +32,10 @@ BodyMesh mesh_within(const solid::Body& body, const csg::Aabb& extent, solid::Re
 {
     BodyMesh out;
     make_finer(options, kMostCells, out.facts, [&](const solid::RefineOptions& now) {
-        const auto look = [&] {
-            out.off = solid::deviation(body, extent, out.mesh, kSamples, now.tolerance, now.cancel);
-        };
-        // It is not looked at everywhere while it is made: where it comes out too far off, once more for the half.
-        for (const double share : {1.0, 0.5}) {
-            solid::RefineOptions aim = now;
-            aim.tolerance *= share;
-            if (!solid::remeshed(body, extent, aim, out.mesh, out.facts)) break;
-            look();
-            if (out.worst() <= now.tolerance) return out.off.from_body;
-        }
-        out.mesh = solid::plain_mesh_of(body, extent, now, out.facts);
-        look();
+        out.mesh = solid::good_mesh_of(body, extent, now, out.facts, [&](const solid::TriangleMesh& made) {
+            out.off = solid::deviation(body, extent, made, kSamples, now.tolerance, now.cancel);
+            return out.worst() <= now.tolerance;
+        });
         return out.off.from_body;
     });
     out.cells = options.cells;

@@ -11,8 +11,12 @@
 namespace solid {
 namespace {
 
-/// Tetrahedra may be so much farther off than what is made of them; where that comes out folded, others are tried.
-constexpr std::array<double, 2> kCoarser{3.0, 2.0};
+/// How much farther off tetrahedra may be than the mesh, and what is made of them then. Where that comes out folded, or
+/// what is thin was overlooked, those are taken that would serve as they are.
+struct Aim {
+    double tetrahedra, made;  // of the tolerance
+};
+constexpr std::array<Aim, 2> kAims{{{3.0, 1.0}, {1.0, 0.5}}};
 constexpr double kOffShare = 0.5;                          // of the tolerance: the aim, as not all places are looked at
 constexpr double kFolded = 0.5;                            // cosine of 60 degrees: a mesh with such a triangle is none
 constexpr double kTurnedAway = 0.906;                      // of 25: edges are looked for again
@@ -134,30 +138,28 @@ void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions&
     mesh = remesher.result();
 }
 
-bool remeshed(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh,
-              MeshFacts& facts)
+TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts,
+                          const std::function<bool(const TriangleMesh&)>& serves)
 {
-    RefineOptions within = options;
-    // Half of the time: the other is for what is made instead if that was not enough.
-    const auto now = std::chrono::steady_clock::now();
-    within.deadline = now + (options.deadline - now) / 2;
-    for (const double times : kCoarser) {
+    TriangleMesh mesh;
+    for (const Aim& aim : kAims) {
+        // Half of the time: the other is for what is made instead if that was not enough.
+        const auto now = std::chrono::steady_clock::now();
+        RefineOptions within = options;
+        within.deadline = now + (options.deadline - now) / 2;
         facts = {};
-        RefineOptions coarse = within;
-        coarse.tolerance *= times;
+        RefineOptions coarse = &aim == &kAims.back() ? options : within;
+        coarse.tolerance *= aim.tetrahedra;
+        within.tolerance *= aim.made;
         mesh = mesh_of(body, extent, coarse, facts);
-        if (facts.late || facts.full || std::chrono::steady_clock::now() >= within.deadline) return false;
-        facts.remeshed = remesh(body, extent, within, mesh);
-        if (facts.remeshed) return true;
+        if (facts.late || facts.full || std::chrono::steady_clock::now() >= within.deadline) continue;
+        TriangleMesh made = mesh;
+        facts.remeshed = remesh(body, extent, within, made);
+        if (facts.remeshed && serves(made)) return made;
+        facts.remeshed = false;
     }
-    return false;
-}
-
-TriangleMesh plain_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts)
-{
-    facts = {};
-    TriangleMesh mesh = mesh_of(body, extent, options, facts);
     add_normals(body, extent, options, mesh);
+    serves(mesh);
     return mesh;
 }
 

@@ -2,6 +2,8 @@
 
 #include "render/solid/mesh/mesher.h"
 
+#include <functional>
+
 namespace solid {
 
 /// Triangles of a good shape on the same surface: vertices on it and on its sharp edges, with its normals, edges as
@@ -15,12 +17,10 @@ bool remesh(const Body& body, const csg::Aabb& extent, const RefineOptions& opti
 /// Normals of the body's surface at the corners of a mesh of it that closes; none where it does not.
 void add_normals(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh);
 
-/// A mesh of few tetrahedra, remeshed: `extent` as met by rays. False where that does not go well. Throws
-/// csg::Cancelled, NoBody.
-bool remeshed(const Body& body, const csg::Aabb& extent, const RefineOptions& options, TriangleMesh& mesh,
-              MeshFacts& facts);
-
-/// What mesh_of() has, with normals.
-TriangleMesh plain_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts);
+/// A mesh of tetrahedra, remeshed: `extent` as met by rays. Where that does not go well, or does not serve, what
+/// mesh_of() has, with normals. Throws csg::Cancelled, NoBody.
+/// \param serves  asked last about what is returned
+TriangleMesh good_mesh_of(const Body& body, const csg::Aabb& extent, const RefineOptions& options, MeshFacts& facts,
+                          const std::function<bool(const TriangleMesh&)>& serves);
 
 }  // namespace solid

@@ -22,9 +22,7 @@ solid::TriangleMesh good_mesh(const solid::Body& body, const solid::RefineOption
     double error = 0.0;
     std::uint64_t rays = 0;
     const csg::Aabb extent = solid::require_extent(body, error, rays);
-    solid::TriangleMesh mesh;
-    return solid::remeshed(body, extent, options, mesh, facts) ? mesh
-                                                               : solid::plain_mesh_of(body, extent, options, facts);
+    return solid::good_mesh_of(body, extent, options, facts, [](const solid::TriangleMesh&) { return true; });
 }
 
 solid::TriangleMesh remeshed(const char* scene, double tolerance)
