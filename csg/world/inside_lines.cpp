@@ -234,7 +234,9 @@ public:
         if (several && item.instance == Hit::kNoInstance) {
             if (item.solid == kNoPart && item.simple) mask = by_products(item, mask);
             else if (item.solid != kNoPart && !item.inverted && lanes::has_test(world_.store, item.solid))
-                return in_lanes(item, mask);
+                return lanes::with_test(world_.store, item.solid, rays_,
+                                        [&](const auto& at) { take(item.solid, mask, at); });
+            else if (kind_of(item.solid) == SolidKind::Torus && !item.inverted) mask = of_torus(item.solid, mask);
             else if (item.many && !item.inverted && kind_of(item.solid) == SolidKind::Freeform)
                 return together(item, mask);
         }
@@ -245,28 +247,38 @@ public:
     }
 
 private:
-    void in_lanes(const WorldItem& item, RayMask mask)
+    /// A part of each line, as at(i) tells of those from i on.
+    template <class At>
+    void take(PartId part, RayMask mask, const At& at)
     {
-        lanes::with_test(world_.store, item.solid, rays_, [&](const auto& at) {
-            each_vector(mask, [&](int i) {
-                const lanes::Intervals own = at(i);
-                RayMask met = RayMask{lanes::mask(own.met & (own.entry <= own.exit))} << i & mask;
-                if (met == 0) return;
-                alignas(64) double t[2][lanes::kDoubles], face[2][lanes::kDoubles];
-                own.entry.store_aligned(t[0]);
-                own.exit.store_aligned(t[1]);
-                own.entry_face.store_aligned(face[0]);
-                own.exit_face.store_aligned(face[1]);
-                for (; met != 0; met &= met - 1) {
-                    const auto k = static_cast<std::size_t>(std::countr_zero(met)),
-                               lane = k - static_cast<std::size_t>(i);
-                    const auto end = [&](std::size_t side) {
-                        return LineEnd{t[side][lane], item.solid, static_cast<std::uint32_t>(face[side][lane])};
-                    };
-                    out_[k].push_back({end(0), end(1)});
-                }
-            });
+        each_vector(mask, [&](int i) {
+            const lanes::Intervals own = at(i);
+            RayMask met = RayMask{lanes::mask(own.met & (own.entry <= own.exit))} << i & mask;
+            if (met == 0) return;
+            alignas(64) double t[2][lanes::kDoubles], face[2][lanes::kDoubles];
+            own.entry.store_aligned(t[0]);
+            own.exit.store_aligned(t[1]);
+            own.entry_face.store_aligned(face[0]);
+            own.exit_face.store_aligned(face[1]);
+            for (; met != 0; met &= met - 1) {
+                const auto k = static_cast<std::size_t>(std::countr_zero(met)), lane = k - static_cast<std::size_t>(i);
+                const auto end = [&](std::size_t side) {
+                    return LineEnd{t[side][lane], part, static_cast<std::uint32_t>(face[side][lane])};
+                };
+                out_[k].push_back({end(0), end(1)});
+            }
         });
+    }
+
+    /// Returns the lines that remain to be asked one by one.
+    RayMask of_torus(PartId part, RayMask mask)
+    {
+        const Torus& torus = world_.store.all<Torus>()[index_of(part)];
+        if (!detail::factors_serve(torus)) return mask;
+        const TorusEnds ends(torus, rays_, mask);
+        for (std::size_t which = 0; which < 2; ++which)
+            take(part, ends.met[which], [&](int i) { return ends.piece(static_cast<int>(which), i); });
+        return ends.unclear;
     }
 
     /// Returns the lines that remain to be asked one by one.
@@ -332,7 +344,11 @@ void InsideLines::chords(const LineTile& lines, ChordTile& out) const
     const TileRays<OwnOrigins> rays(tile);
     const PacketSlabs<TileRays<OwnOrigins>> slabs(rays);
     TileLeaf leaf(world_, rays, slabs, scratch, out);
-    for (const std::uint32_t i : apart_) leaf.item(i, rays.all());
+    for (const std::uint32_t i : apart_) {
+        const Aabb& box = boxes_[i];
+        const bool asks = box.finite() && world_.items.size() > 1;
+        leaf.item(i, asks ? rays.intersect(box.lower - slack_, box.upper + slack_, rays.all()) : rays.all());
+    }
     PacketWalk(hierarchy_, slabs, rays, ~0u, leaf).run();
     for (std::size_t k = 0; k < lines.count; ++k) finish(out[k], back[k]);
 }
