@@ -53,8 +53,8 @@ int with_output(int status, int failure)
 }
 
 #if defined(__GLIBC__)
-/// Whether a first touch of the large page is as fast as clearing it. In a virtual machine the host may first have to find
-/// the memory in small pages, which takes ten times as long.
+/// Whether a first touch of the large page is as fast as clearing it. In a virtual machine the host may first have to
+/// find the memory in small pages, which takes ten times as long.
 bool touched_fast(std::uintptr_t page)
 {
     constexpr long kSlow = 600'000;  // nanoseconds; clearing takes 100'000 to 300'000
@@ -65,8 +65,9 @@ bool touched_fast(std::uintptr_t page)
     return (after.tv_sec - before.tv_sec) * 1'000'000'000 + after.tv_nsec - before.tv_nsec < kSlow;
 }
 
-/// Lets the heap begin with room in pages of 2 MB, for each small page that is touched costs 1 to 12 microseconds: most of
-/// what a small scene takes, and a third of what a description of 20,000 objects does. `grown`: by so much afterwards.
+/// Lets the heap begin with room in pages of 2 MB, for each small page that is touched costs 1 to 12 microseconds: most
+/// of what a small scene takes, and a third of what a description of 20,000 objects does. `grown`: by so much
+/// afterwards.
 void begin_heap_with_large_pages(int grown)
 {
     constexpr int kRoom = 256 << 20;
