@@ -1,4 +1,5 @@
 #include "render/texture/patterns/patterns.h"
+#include "render/texture/points/point_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,6 @@ namespace texture {
 namespace {
 
 using scene::Volume;
-
-double sample(const Volume& v, std::uint64_t x, std::uint64_t y, std::uint64_t z)
-{
-    return v.samples[(z * v.size[1] + y) * v.size[0] + x] / v.most;
-}
 
 /// Corner below the point and how far the point is from it, on each axis.
 struct Corner {
@@ -32,18 +28,35 @@ Corner corner_of(const Volume& v, const glm::dvec3& p)
     return corner;
 }
 
+/// Where the samples before a corner, at it and the two behind it lie along an axis, which ends where it begins.
+using AxisPlaces = std::array<std::uint64_t, 4>;
+AxisPlaces places_along(const Volume& v, const Corner& c, std::size_t axis)
+{
+    const std::uint64_t at = c.at[axis], size = v.size[axis];
+    const auto inside = [&](std::uint64_t place) {
+        return place < size ? place : place % size;
+    };  // it seldom ends here
+    std::uint64_t stride = 1;
+    for (std::size_t k = 0; k < axis; ++k) stride *= v.size[k];
+    // The one before 0 is counted in 64 bits without sign: the last one only if the size is a power of two.
+    return {inside(at - 1) * stride, at * stride, inside(at + 1) * stride, inside(at + 2) * stride};
+}
+
+double sample(const Volume& v, std::uint64_t place) { return v.samples[place] / v.most; }
+
 double trilinear(const Volume& v, const Corner& c)
 {
+    const std::array<AxisPlaces, 3> along{places_along(v, c, 0), places_along(v, c, 1), places_along(v, c, 2)};
     double sum = 0.0;
     for (std::size_t k = 0; k < 8; ++k) {
-        std::array<std::uint64_t, 3> at{};
+        std::uint64_t place = 0;
         double share = 1.0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const bool upper = (k >> axis) & 1;
-            at[axis] = upper ? (c.at[axis] + 1) % v.size[axis] : c.at[axis];
+            place += along[axis][upper ? 2 : 1];
             share *= upper ? c.beyond[axis] : 1.0 - c.beyond[axis];
         }
-        sum += share * sample(v, at[0], at[1], at[2]);
+        sum += share * sample(v, place);
     }
     return sum;
 }
@@ -55,32 +68,94 @@ float cubic(float a, float b, float c, float d, float t)
     return ((2.0f * (b - c) + from + to) * t + (3.0f * (c - b) - 2.0f * from - to)) * t * t + from * t + b;
 }
 
+/// So many curves beside each other.
+template <std::size_t Count>
+std::array<float, Count> cubics(const std::array<std::array<float, Count>, 4>& through, float t)
+{
+    std::array<float, Count> out;
+    for (std::size_t i = 0; i < Count; ++i)
+        out[i] = cubic(through[0][i], through[1][i], through[2][i], through[3][i], t);
+    return out;
+}
+
 double tricubic(const Volume& v, const Corner& c)
 {
-    // The neighbour below 0 is counted in 64 bits without sign: the last one only if the size is a power of two.
-    const auto neighbour = [&](std::size_t axis, std::uint64_t k) { return (c.at[axis] + k - 1) % v.size[axis]; };
+    const AxisPlaces x = places_along(v, c, 0), y = places_along(v, c, 1), z = places_along(v, c, 2);
     const auto t = [&](std::size_t axis) { return static_cast<float>(c.beyond[axis]); };
-    std::array<float, 4> rows{}, planes{}, along{};
-    for (std::uint64_t i = 0; i < 4; ++i) {
-        for (std::uint64_t j = 0; j < 4; ++j) {
-            for (std::uint64_t k = 0; k < 4; ++k)
-                rows[k] = static_cast<float>(sample(v, neighbour(0, i), neighbour(1, j), neighbour(2, k)));
-            planes[j] = cubic(rows[0], rows[1], rows[2], rows[3], t(2));
-        }
-        along[i] = cubic(planes[0], planes[1], planes[2], planes[3], t(1));
-    }
+    std::array<std::array<float, 16>, 4> columns;  // by z: those of the same y side by side
+    for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t j = 0; j < 4; ++j)
+            for (std::size_t i = 0; i < 4; ++i)
+                columns[k][4 * j + i] = static_cast<float>(sample(v, x[i] + y[j] + z[k]));
+    const std::array<float, 16> at_z = cubics(columns, t(2));
+    std::array<std::array<float, 4>, 4> rows;
+    for (std::size_t j = 0; j < 4; ++j)
+        std::copy_n(at_z.begin() + static_cast<std::ptrdiff_t>(4 * j), 4, rows[j].begin());
+    const std::array<float, 4> along = cubics(rows, t(1));
     return std::max(0.0, static_cast<double>(cubic(along[0], along[1], along[2], along[3], t(0))));
 }
 
+constexpr int kTrilinear = 1;
+int interpolation(const Pattern& pattern) { return static_cast<int>(pattern.numbers[0]) % 10; }
+
+/// Of as many points as there are lanes, on one axis: where the sample below each and the next one lie, as whole
+/// numbers, and the shares that both have.
+struct Between {
+    Double place[2], share[2];
+
+    Between(const Double& t, std::uint32_t size, double stride)
+    {
+        const Double last(static_cast<double>(size) - 1.0), zero(0.0), one(1.0), by(stride);
+        const Double at = xsimd::min(xsimd::trunc(t), last), beyond = t - at;
+        place[0] = at * by, place[1] = xsimd::select(at == last, zero, at + one) * by;
+        share[0] = one - beyond, share[1] = beyond;
+    }
+};
+
+/// trilinear() of each, in the same order of sums.
+void trilinear_values(const Volume& v, const Points& p, Values& out)
+{
+    const Double zero(0.0), one(1.0), most(v.most);
+    const double row = v.size[0], plane = row * v.size[1];
+    for (std::size_t i = 0; i < p.size(); i += kLanes) {
+        const Double px = get(p.x, i), py = get(p.y, i), pz = get(p.z, i);
+        const auto within = [&](const Double& c) { return (c >= zero) & (c < one); };
+        const auto inside = within(px) & within(py) & within(pz);
+        Double sum = zero;
+        if (xsimd::any(inside)) {
+            const auto axis = [&](const Double& c, std::size_t k, double stride) {
+                return Between(xsimd::select(inside, c, zero) * Double(static_cast<double>(v.size[k])), v.size[k],
+                               stride);
+            };
+            const Between x = axis(px, 0, 1.0), y = axis(py, 1, row), z = axis(pz, 2, plane);
+            for (std::size_t k = 0; k < 8; ++k) {
+                const std::size_t a = k & 1, b = k >> 1 & 1, c = k >> 2;
+                alignas(64) double places[kLanes], samples[kLanes];
+                (x.place[a] + y.place[b] + z.place[c]).store_aligned(places);
+                for (std::size_t lane = 0; lane < kLanes; ++lane)
+                    samples[lane] = v.samples[static_cast<std::size_t>(static_cast<std::int64_t>(places[lane]))];
+                sum = sum + x.share[a] * y.share[b] * z.share[c] * (Double::load_aligned(samples) / most);
+            }
+        }
+        xsimd::select(inside, sum, zero).store_aligned(out.data() + i);
+    }
+}
+
 }  // namespace
+
+void density_values(const Pattern& pattern, const Volume& volume, const Points& p, Values& out)
+{
+    if (interpolation(pattern) == kTrilinear) return trilinear_values(volume, p, out);
+    for (std::size_t i = 0; i < p.size(); ++i) out[i] = density(pattern, volume, p.at(i));
+}
 
 double density(const Pattern& pattern, const Volume& volume, const glm::dvec3& p)
 {
     if (!(p.x >= 0.0 && p.x < 1.0 && p.y >= 0.0 && p.y < 1.0 && p.z >= 0.0 && p.z < 1.0)) return 0.0;
     const Corner corner = corner_of(volume, p);
-    switch (static_cast<int>(pattern.numbers[0]) % 10) {
-    case 0: return sample(volume, corner.at[0], corner.at[1], corner.at[2]);
-    case 1: return trilinear(volume, corner);
+    switch (interpolation(pattern)) {
+    case 0: return sample(volume, (corner.at[2] * volume.size[1] + corner.at[1]) * volume.size[0] + corner.at[0]);
+    case kTrilinear: return trilinear(volume, corner);
     default: return tricubic(volume, corner);
     }
 }

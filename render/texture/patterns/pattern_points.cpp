@@ -231,6 +231,7 @@ void raw_values(const TextureSet& set, const Pattern& pattern, const Points& p, 
     case PatternKind::Brick: return brick_values(pattern, p, out);
     case PatternKind::Gradient: return gradient_values(pattern, p, out);
     case PatternKind::Onion: return onion_values(p, out);
+    case PatternKind::DensityFile: return density_values(pattern, *set.volumes[pattern.data], p, out);
     case PatternKind::Object: return object_values(*set.objects[pattern.data], p, out);
     case PatternKind::Potential: return potential_values(set.potentials[pattern.data], pattern, p, out);
     case PatternKind::Function: return function_values(set, pattern, p, out);

@@ -13,6 +13,7 @@ namespace texture {
 // looked up
 /// numbers: interpolate.
 double density(const Pattern& pattern, const scene::Volume& volume, const glm::dvec3& p);
+void density_values(const Pattern& pattern, const scene::Volume& volume, const Points& p, Values& out);
 
 /// A pattern by a user function.
 void function_values(const TextureSet& set, const Pattern& pattern, const Points& p, Values& out);

@@ -202,6 +202,37 @@ TEST_CASE("pattern values of many points have the bits of each point alone", "[t
     }
 }
 
+TEST_CASE("density files of many points have the bits of each point alone", "[texture][density]")
+{
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        INFO("seed " << seed);
+        Rng rng(seed);
+        TextureSet set;
+        auto volume = std::make_shared<scene::Volume>();
+        std::size_t samples = 1;
+        for (auto& size : volume->size) samples *= size = static_cast<std::uint32_t>(1 + rng.below(6));
+        for (std::size_t i = 0; i < samples; ++i) volume->samples.push_back(static_cast<std::uint32_t>(rng.below(256)));
+        set.volumes.push_back(volume);
+        Pattern pattern;
+        pattern.kind = PatternKind::DensityFile;
+        pattern.data = 0;
+        pattern.numbers = {1.0 * rng.below(3)};
+        Points p;
+        for (int i = 0, count = 1 + rng.below(kMostPoints); i < count; ++i)
+            p.add(glm::dvec3(0.5) + rng.vector(rng.flip() ? 0.51 : 0.7));
+        p.set(0, glm::dvec3(rng.below(2), 0.0, std::nextafter(1.0, 0.0)));
+        if (rng.flip()) p.x[p.size() - 1] = std::nan("");
+        p.pad();
+        const Surroundings none;
+        Around around;
+        around.fill(&none);
+        Values values;
+        pattern_values(set, pattern, p, around, values);
+        for (std::size_t i = 0; i < p.size(); ++i)
+            REQUIRE(bits(values[i]) == bits(pattern_value(set, pattern, p.at(i), none)));
+    }
+}
+
 namespace {
 
 template <class T>
