@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/functions/lane_functions.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/kernel/light/direct_batch.h"
 #include "render/kernel/light/direct_light.h"
@@ -81,10 +82,11 @@ private:
         const bool in_lanes = shiny && !scalar;
         glm::vec3 sum(0);
         const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
-        alignas(64) std::array<double, csg::lanes::kDoubles> strengths;
+        alignas(64) std::array<double, csg::lanes::kDoubles> strengths, raised;
         for (std::size_t i = 0; i < found.size(); ++i) {
             const std::size_t lane = i % strengths.size();
             if (in_lanes && lane == 0) find_strengths(met, i, strengths.data());
+            if (lane == 0) find_raised(met, i, raised.data());
             const PhotonRay& photon = map_.ray(found[i].photon);
             const glm::dvec3 back(photon.back);
             bool behind = false;
@@ -94,7 +96,7 @@ private:
             }
             const glm::vec3 color = photon.flux / static_cast<float>(std::clamp(glm::dot(raw, back), kFlattest, 1.0));
             const double strength = behind || !shiny ? 0.0 : in_lanes ? strengths[lane] : highlight(met, back);
-            glm::vec3 gained = surface_light(met, back, color, behind, strength, 0.0);
+            glm::vec3 gained = surface_light(met, back, color, behind, strength, 0.0, [&] { return raised[lane]; });
             if (finish.irid > 0.0f) gained *= film_color(context_, place, finish, normal, back);
             sum += gained;
         }
@@ -120,6 +122,20 @@ private:
                             {amount(f.phong), amount(f.phong_size), amount(f.specular), amount(f.specular_exponent)},
                             (1u << kLanes) - 1)
             .store_aligned(out);
+    }
+
+    /// raised_facing() of as many photons.
+    void find_raised(const LitLayer& met, std::size_t first, double* out) const
+    {
+        using csg::lanes::Double;
+        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
+        for (std::size_t lane = 0; lane < csg::lanes::kDoubles; ++lane) {
+            const glm::dvec3 back(map_.ray(found[std::min(first + lane, found.size() - 1)].photon).back);
+            out[lane] = std::abs(glm::dot(met.normal, back));
+        }
+        const float brilliance = met.finish.brilliance;
+        if (brilliance == 1.0f) return;
+        numbers::pow(Double::load_aligned(out), Double(static_cast<double>(brilliance))).store_aligned(out);
     }
 
     /// Of diffuse light alone.

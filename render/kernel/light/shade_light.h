@@ -38,18 +38,25 @@ inline double highlight(const LitLayer& layer, const glm::dvec3& l)
     return strength;
 }
 
+/// Cosine of a layer's normal with the light, raised to the finish's brilliance.
+inline double raised_facing(const LitLayer& layer, const glm::dvec3& l)
+{
+    const double facing = std::abs(glm::dot(layer.normal, l));
+    const float brilliance = layer.finish.brilliance;
+    return brilliance == 1.0f ? facing : numbers::pow(facing, static_cast<double>(brilliance));
+}
+
 /// Diffuse light and highlights toward `l` (spec 3, 7.5 to 7.8). behind: on the side that diffuse_back lights;
-/// strength: of the highlights; grain: what crand takes off.
+/// strength: of the highlights; grain: what crand takes off; raised: raised_facing(), asked for where diffuse light is.
+template <class Raised>
 inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const glm::vec3& color, bool behind,
-                               double strength, double grain)
+                               double strength, double grain, Raised&& raised)
 {
     const texture::Finish& finish = layer.finish;
     glm::vec3 sum(0);
     const auto diffuse = static_cast<double>(behind ? finish.diffuse_back : finish.diffuse);
     if (diffuse > 0.0) {
-        const double facing = std::abs(glm::dot(layer.normal, l));
-        double intensity = finish.brilliance == 1.0f ? facing
-                                                     : numbers::pow(facing, static_cast<double>(finish.brilliance));
+        double intensity = raised();
         intensity *= diffuse * layer.alpha;
         intensity -= grain;
         sum += static_cast<float>(intensity) * layer.pigment.rgb() * color;
@@ -58,6 +65,12 @@ inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const
         sum += static_cast<float>(strength) *
                texture::highlight_color(finish, color, layer.pigment, layer.direction, layer.normal, l);
     return sum;
+}
+
+inline glm::vec3 surface_light(const LitLayer& layer, const glm::dvec3& l, const glm::vec3& color, bool behind,
+                               double strength, double grain)
+{
+    return surface_light(layer, l, color, behind, strength, grain, [&] { return raised_facing(layer, l); });
 }
 
 }  // namespace trace
