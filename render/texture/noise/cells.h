@@ -71,21 +71,32 @@ struct Axes {
         const bool in_x = x.prepare(px), in_y = y.prepare(py), in_z = z.prepare(pz);
         return in_x && in_y && in_z;
     }
+
+    /// How all points lie; none is out of all cells then, where shares may be endless.
+    Flat flat() const
+    {
+        const Double zero(0.0), one(1.0), farthest = xsimd::max(xsimd::abs(x.fraction), one);
+        const auto lie = [&](const Axis& on, const Axis& other) {
+            return xsimd::all((on.fraction == zero) & (xsimd::max(farthest, xsimd::abs(other.fraction)) == one));
+        };
+        return lie(y, z) ? Flat::Y : lie(z, y) ? Flat::Z : Flat::No;
+    }
 };
 
 /// The sums of points in one cell: points in lanes, rows broadcast.
-template <int Rows>
+template <int Rows, Flat F = Flat::No>
 [[gnu::always_inline]] inline void shared_cell(const Axes& at, const double* lattice, double* const (&out)[Rows])
 {
     const double* rows[8];
-    corner_rows(at.x.cell(0), at.y.cell(0), at.z.cell(0), lattice, rows);
+    corner_rows<F>(at.x.cell(0), at.y.cell(0), at.z.cell(0), lattice, rows);
     Double shares[8], sums[4][Rows];
     corner_shares(at.x.weight, at.y.weight, at.z.weight, [&](int c, const Double& share) { shares[c] = share; });
     const auto part = [&](std::size_t k, const auto& factor) {
         Double v[8];
-        for (int c = 0; c < 8; ++c) v[c] = factor(c) * shares[c];
+        for (int c = 0; c < 8; ++c)
+            if (counts(F, c)) v[c] = factor(c) * shares[c];
         for (std::size_t r = 0; r < Rows; ++r)
-            sums[k][r] = corner_sum([&](int c) { return v[c] * Double(rows[c][kNextRow * r + k]); });
+            sums[k][r] = corner_sum<F>([&](int c) { return v[c] * Double(rows[c][kNextRow * r + k]); });
     };
     const Double one(1.0), half(0.5), fx = at.x.fraction, fy = at.y.fraction, fz = at.z.fraction, gx = fx - one,
                                       gy = fy - one, gz = fz - one;
@@ -122,9 +133,10 @@ struct OwnCells {
     }
 
     /// The sum of every row at point k.
-    template <int Rows>
+    template <int Rows, Flat F>
     [[gnu::always_inline]] void sum(std::size_t k, const double* const (&rows)[8], Row (&sums)[Rows]) const
     {
+        if constexpr (F == Flat::Z) return row_sums<Rows, 1, F>({_mm256_load_pd(low[k])}, shares[k], rows, sums);
         const __m512d p = _mm512_broadcast_f64x4(_mm256_load_pd(low[k])), share = _mm512_load_pd(shares[k]);
         // The fractions from the corner, part by part of the row: x, y and, in the high half, z less one.
         const __m512d v0 = (p - _mm512_set_pd(1, 0, 0, 0, 0, 0, 0, 0)) * _mm512_permutex_pd(share, 0x00),
@@ -137,7 +149,8 @@ struct OwnCells {
                 return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(rows[c] + row)),
                                           _mm256_load_pd(rows[c + 4] + row), 1);
             };
-            const __m512d total = (v0 * both(0) + v1 * both(1)) + (v2 * both(2) + v3 * both(3));
+            __m512d total = v0 * both(0) + v1 * both(1);
+            if constexpr (F == Flat::No) total = total + (v2 * both(2) + v3 * both(3));
             sums[r].v = _mm512_castpd512_pd256(total) + _mm512_extractf64x4_pd(total, 1);
         }
     }
@@ -172,16 +185,16 @@ struct OwnCells {
     }
 
     /// The sum of every row at point k.
-    template <int Rows>
+    template <int Rows, Flat F>
     [[gnu::always_inline]] void sum(std::size_t k, const double* const (&rows)[8], Row (&sums)[Rows]) const
     {
-        row_sums<Rows, kLanes>(Row::of(0.5, f[0][k], f[1][k], f[2][k]), shares[0] + k, rows, sums);
+        row_sums<Rows, kLanes, F>(Row::of(0.5, f[0][k], f[1][k], f[2][k]), shares[0] + k, rows, sums);
     }
 };
 #endif
 
 /// Each point in its own cell: parts in lanes.
-template <int Rows>
+template <int Rows, Flat F = Flat::No>
 [[gnu::always_inline]] inline void own_cells(const Axes& at, std::size_t count, const double* lattice,
                                              double* const (&out)[Rows])
 {
@@ -189,9 +202,9 @@ template <int Rows>
     Row sums[Rows][kLanes];
     for (std::size_t i = 0; i < count; ++i) {
         const double* rows[8];
-        corner_rows(at.x.cell(i), at.y.cell(i), at.z.cell(i), lattice, rows);
+        corner_rows<F>(at.x.cell(i), at.y.cell(i), at.z.cell(i), lattice, rows);
         Row s[Rows];
-        cells.sum<Rows>(i, rows, s);
+        cells.sum<Rows, F>(i, rows, s);
         for (int r = 0; r < Rows; ++r) sums[r][i] = s[r];
     }
     for (int r = 0; r < Rows; ++r)

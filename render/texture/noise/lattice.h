@@ -5,6 +5,7 @@
 #include "render/texture/noise/noise_tables.h"
 
 #include <cstdint>
+#include <utility>
 
 /// The lattice noise of generators 1, 2 and of vectors in vector lanes (spec 4, 2.2 to 2.5). A lattice point has a row
 /// of four numbers (twelve for vectors); the four parts of a row lie in lanes, or the points do where all are in one
@@ -34,7 +35,15 @@ struct CellIndex {
     std::uint32_t at, next;
 };
 
+/// Points that lie on the lattice in y or in z, as those of a terrain or of a picture do: half of their corners have no
+/// share, and are left out.
+enum class Flat { No, Y, Z };
+
+/// Whether corner c is asked for.
+constexpr bool counts(Flat flat, int c) { return flat == Flat::No || (c & (flat == Flat::Y ? 2 : 4)) == 0; }
+
 /// Where the rows of a cell's eight corners start; bit 0 of the index: along x, 1: y, 2: z.
+template <Flat F = Flat::No>
 [[gnu::always_inline]] inline void corner_rows(const CellIndex& x, const CellIndex& y, const CellIndex& z,
                                                const double* lattice, const double* (&rows)[8])
 {
@@ -42,40 +51,47 @@ struct CellIndex {
     const auto& r = kNoiseTables.row;
     const auto at = [&](std::uint32_t i) { return lattice + 4 * std::size_t{r[i]}; };
     const std::uint32_t x0 = t[x.at], x1 = t[x.next];
-    const std::uint32_t h00 = t[x0 ^ y.at], h10 = t[x1 ^ y.at], h01 = t[x0 ^ y.next], h11 = t[x1 ^ y.next];
+    const std::uint32_t h00 = t[x0 ^ y.at], h10 = t[x1 ^ y.at];
     rows[0] = at(h00 ^ z.at);
     rows[1] = at(h10 ^ z.at);
+    if constexpr (F != Flat::Z) {
+        rows[4] = at(h00 ^ z.next);
+        rows[5] = at(h10 ^ z.next);
+    }
+    if constexpr (F == Flat::Y) return;
+    const std::uint32_t h01 = t[x0 ^ y.next], h11 = t[x1 ^ y.next];
     rows[2] = at(h01 ^ z.at);
     rows[3] = at(h11 ^ z.at);
-    rows[4] = at(h00 ^ z.next);
-    rows[5] = at(h10 ^ z.next);
+    if constexpr (F == Flat::Z) return;
     rows[6] = at(h01 ^ z.next);
     rows[7] = at(h11 ^ z.next);
 }
 
 /// The sum of what every corner gives.
-template <class Of>
+template <Flat F = Flat::No, class Of>
 inline auto corner_sum(Of&& of)
 {
-    return ((of(0) + of(1)) + (of(2) + of(3))) + ((of(4) + of(5)) + (of(6) + of(7)));
+    if constexpr (F == Flat::Y) return (of(0) + of(1)) + (of(4) + of(5));
+    else if constexpr (F == Flat::Z) return (of(0) + of(1)) + (of(2) + of(3));
+    else return ((of(0) + of(1)) + (of(2) + of(3))) + ((of(4) + of(5)) + (of(6) + of(7)));
 }
 
 /// Of a point in its cell: what it has from the low corner (0.5 and the fractions), and the shares of the corners,
 /// which stand `Stride` numbers behind each other.
-template <int Rows, std::size_t Stride>
+template <int Rows, std::size_t Stride, Flat F = Flat::No>
 inline void row_sums(Row low, const double* shares, const double* const (&rows)[8], Row (&sums)[Rows])
 {
     const Row high = low - Row::of(0.0, 1.0, 1.0, 1.0);
-    const Row v[8] = {low * Row::all(shares[0]),
-                      Row::choose<1>(low, high) * Row::all(shares[Stride]),
-                      Row::choose<2>(low, high) * Row::all(shares[2 * Stride]),
-                      Row::choose<3>(low, high) * Row::all(shares[3 * Stride]),
-                      Row::choose<4>(low, high) * Row::all(shares[4 * Stride]),
-                      Row::choose<5>(low, high) * Row::all(shares[5 * Stride]),
-                      Row::choose<6>(low, high) * Row::all(shares[6 * Stride]),
-                      Row::choose<7>(low, high) * Row::all(shares[7 * Stride])};
+    Row v[8];
+    const auto corner = [&]<int C>() {
+        if constexpr (!counts(F, C)) return;
+        else if constexpr (C == 0) v[C] = low * Row::all(shares[0]);
+        else v[C] = Row::choose<C>(low, high) * Row::all(shares[C * Stride]);
+    };
+    [&]<int... C>(std::integer_sequence<int, C...>) { (corner.template operator()<C>(), ...); }
+    (std::make_integer_sequence<int, 8>());
     for (std::size_t r = 0; r < Rows; ++r)
-        sums[r] = corner_sum([&](int c) { return v[c] * Row::load(rows[c] + kNextRow * r); });
+        sums[r] = corner_sum<F>([&](int c) { return v[c] * Row::load(rows[c] + kNextRow * r); });
 }
 
 /// The share that each corner has of a point with these weights.

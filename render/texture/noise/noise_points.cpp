@@ -19,19 +19,42 @@ struct Coordinates {
 };
 
 /// `Rows` sums of every point; `first`: of the rows, 0 to 2.
-template <int Rows>
-void lattice_rows(const Coordinates& p, std::size_t points, std::size_t first, const std::array<double*, Rows>& out)
+template <int Rows, bool MayBeFlat>
+[[gnu::always_inline]] inline void sum_rows(const Coordinates& p, std::size_t points, std::size_t first,
+                                            const std::array<double*, Rows>& out)
 {
     const double* lattice = first_row(first);
     for (std::size_t i = 0; i < points; i += kLanes) {
         Axes axes;
         const bool together =
             axes.prepare(Double::load_aligned(p.x + i), Double::load_aligned(p.y + i), Double::load_aligned(p.z + i));
+        const std::size_t count = std::min(kLanes, points - i);
         double* at[Rows];
         for (std::size_t r = 0; r < Rows; ++r) at[r] = out[r] + i;
-        if (together) shared_cell<Rows>(axes, lattice, at);
-        else own_cells<Rows>(axes, std::min(kLanes, points - i), lattice, at);
+        const auto sum = [&]<Flat F>() {
+            if (together) shared_cell<Rows, F>(axes, lattice, at);
+            else own_cells<Rows, F>(axes, count, lattice, at);
+        };
+        const Flat flat = MayBeFlat ? axes.flat() : Flat::No;
+        if (flat == Flat::Y) sum.template operator()<Flat::Y>();
+        else if (flat == Flat::Z) sum.template operator()<Flat::Z>();
+        else sum.template operator()<Flat::No>();
     }
+}
+
+/// The same where the first point is at y = 0 or z = 0. Out of line: all others would pay for it.
+template <int Rows>
+[[gnu::noinline]] void flat_rows(const Coordinates& p, std::size_t points, std::size_t first,
+                                 const std::array<double*, Rows>& out)
+{
+    sum_rows<Rows, true>(p, points, first, out);
+}
+
+template <int Rows>
+void lattice_rows(const Coordinates& p, std::size_t points, std::size_t first, const std::array<double*, Rows>& out)
+{
+    if (p.y[0] == 0.0 || p.z[0] == 0.0) flat_rows<Rows>(p, points, first, out);
+    else sum_rows<Rows, false>(p, points, first, out);
 }
 
 template <int Rows>

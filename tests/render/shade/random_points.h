@@ -25,7 +25,8 @@ struct Rng {
     glm::dvec3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
 };
 
-/// Within one lattice cell, over many, as far out as warped points get, or on the lattice itself.
+/// Within one lattice cell, over many, as far out as warped points get, on the lattice itself, or at y = 0 or z = 0 as
+/// those of terrains and pictures, of which some may have left it.
 inline Points random_points(Rng& rng)
 {
     Points p;
@@ -36,6 +37,11 @@ inline Points random_points(Rng& rng)
         const glm::dvec3 q = middle + rng.vector(spread);
         p.add(whole ? glm::round(q) : q);
     }
+    Values* const flat[] = {nullptr, &p.y, &p.z};
+    Values* const zero = flat[rng.below(3)];
+    const bool all = rng.flip();
+    for (std::size_t i = 0; zero != nullptr && i < p.size(); ++i)
+        if (all || rng.below(20) != 0) (*zero)[i] = rng.flip() ? 0.0 : -0.0;
     p.pad();
     return p;
 }
