@@ -88,8 +88,9 @@ namespace {
         out.samples = crossing.samples;
         return true;
     }
-    const double ratio = disperses ? ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength)
-                                   : crossing.ratio;
+    const double ratio =
+        disperses ? context.scratch.shade.spectrum.ratio_at(crossing.ratio, crossing.dispersion, hit.state.wavelength)
+                  : crossing.ratio;
     if (bend(hit.state.stretch * d, top_normal, ratio, ray)) {
         ray.start = start_here(context, hit, ray.ray.direction);
         return true;
@@ -119,7 +120,7 @@ bool disperse(const Context& context, const HitPlace& hit, const glm::dvec3& top
     out = refracted.ray;
     const float nm = wavelength(i, refracted.samples);
     if (!bend(hit.state.stretch * hit.state.ray.direction, top_normal,
-              ratio_at(refracted.ratio, refracted.dispersion, nm), out)) {
+              context.scratch.shade.spectrum.ratio_at(refracted.ratio, refracted.dispersion, nm), out)) {
         out = mirrored(context, hit, top_normal, refracted.ray.weight);
         return false;
     }
