@@ -94,3 +94,26 @@ TEST_CASE("many lines are told what each is told alone", "[solid]")
         CHECK(ends > 100);
     }
 }
+
+TEST_CASE("a short way through an isosurface is told what the whole is told, up to its accuracy", "[solid]")
+{
+    const solid::Body body = body_of("difference { isosurface { function { sin(9 * x) * cos(7 * y) + sin(8 * z) - 0.2 "
+                                     "} contained_by { box { -1, 1 } } "
+                                     "max_gradient 20 all_intersections } sphere { 0.2, 0.4 } }");
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> at(-1.0, 1.0);
+    std::size_t ends = 0;
+    std::vector<csg::Chord> whole, part;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::dvec3 point(at(random), at(random), at(random)), along(at(random), at(random), at(random));
+        constexpr double kReach = 0.05, kAccuracy = 4e-6;
+        const csg::Ray line{point, glm::normalize(along)};
+        body.lines().chords(line, -csg::kInfinity, csg::kInfinity, whole);
+        body.lines().chords(line, -kReach, kReach, part);
+        const auto told = ends_within(part, -kReach, kReach), wanted = ends_within(whole, -kReach, kReach);
+        REQUIRE(told.size() == wanted.size());
+        for (std::size_t k = 0; k < told.size(); ++k) CHECK(std::abs(told[k] - wanted[k]) < kAccuracy);
+        ends += told.size();
+    }
+    CHECK(ends > 2000);
+}

@@ -238,3 +238,52 @@ TEST_CASE("julia sets are made anew, and what is late is not", "[solid]")
     CHECK(solid::check(good_mesh(body, options, facts)).good());
     CHECK(!facts.remeshed);
 }
+
+TEST_CASE("isosurfaces and height fields have triangles of a good shape with corners on them", "[solid]")
+{
+    const char* const scenes[] = {
+        "intersection { isosurface { function { abs(sin(3 * x) * cos(3 * y) + sin(3 * y) * cos(3 * z) + sin(3 * z) * "
+        "cos(3 * x)) "
+        "- 0.45 } contained_by { box { -1.05, 1.05 } } max_gradient 6 all_intersections } sphere { 0, 1 } }",
+        "intersection { height_field { function 24, 24 { 0.4 + 0.2 * sin(9 * x) * cos(7 * y) } translate <-0.5, 0, "
+        "-0.5> scale <4, "
+        "1.5, 4> } box { <-1.9, -0.3, -1.9>, <1.9, 3, 1.9> } }",
+    };
+    for (const char* scene : scenes) {
+        INFO(scene);
+        const solid::Body body = body_of(scene);
+        solid::RefineOptions options;
+        options.tolerance = 0.02;
+        solid::MeshFacts facts;
+        const solid::TriangleMesh mesh = good_mesh(body, options, facts);
+        CHECK(facts.remeshed);
+        CHECK(solid::check(mesh).good());
+        CHECK(thin_share(mesh) < 0.01);
+        std::size_t off = 0;
+        for (const glm::vec3& v : mesh.vertices) {
+            double nearest = 1.0;
+            for (const glm::dvec3& along : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+                std::vector<solid::Chord> chords;
+                body.chords(glm::dvec3(v) - 1e-4 * glm::dvec3(v), along, -0.1, 0.1, chords);
+                for (const solid::Chord& chord : chords)
+                    nearest = std::min({nearest, std::abs(chord.in.t), std::abs(chord.out.t)});
+            }
+            off += nearest < 1e-3 ? 0 : 1;
+        }
+        CHECK(static_cast<double>(off) < 0.02 * static_cast<double>(mesh.vertices.size()));
+    }
+}
+
+TEST_CASE("a height field's triangles are about as many as its facets", "[solid]")
+{
+    const auto triangles = [](const char* places) {
+        return remeshed(("intersection { height_field { function " + std::string(places) +
+                         " { 0.4 + 0.2 * sin(9 * x) * cos(7 * y) } translate <-0.5, 0, -0.5> scale <4, 1.5, 4> } "
+                         "box { <-1.9, -0.3, -1.9>, <1.9, 3, 1.9> } }")
+                            .c_str(),
+                        0.01)
+            .triangles.size();
+    };
+    CHECK(triangles("12, 12") < 12'000);
+    CHECK(triangles("60, 60") < 12'000);
+}
