@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace csg {
 namespace {
 
 constexpr double kInfiniteVolume = 2e10;
-constexpr float kInfiniteKey = -1e7f;  // of nodes that are asked first
+constexpr double kInfiniteKey = -1e7;  // of nodes that are asked first
 constexpr float kLeastExit = 1e-4f;
 constexpr std::size_t kFewestNodes = 4;  // nodes that are not divided
 constexpr float kCostOfNode = 3.0f;
@@ -18,7 +20,12 @@ constexpr float kCostOfNode = 3.0f;
 // halves would take, the order is given up: the object declared first is then tested first.
 constexpr std::size_t kWorkOfItem = 200, kLeastWork = 100000;
 
-float half_area(const glm::vec3& edges) { return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x; }
+/// Its last bit decides between divisions that cost the same.
+float half_area(const glm::vec3& edges, Roundings by)
+{
+    if (by == Roundings::V38) return edges.x * (edges.y + edges.z) + edges.y * edges.z;
+    return edges.x * edges.y + edges.y * edges.z + edges.z * edges.x;
+}
 
 TestOrder::Box around(const TestOrder::Box& a, const TestOrder::Box& b)
 {
@@ -26,19 +33,25 @@ TestOrder::Box around(const TestOrder::Box& a, const TestOrder::Box& b)
     return {lower, glm::max(a.upper(), b.upper()) - lower};
 }
 
-/// A ray as POV-Ray's boxes know it.
+/// A ray as POV-Ray's boxes know it: in single precision, but 3.7 adds an edge's length along the ray in double.
 struct SingleRay {
     glm::vec3 origin, inverse;
+    glm::bvec3 by_edges;
 
-    explicit SingleRay(const Ray& ray) : origin(ray.origin), inverse(1.0f / glm::vec3(ray.direction)) {}
+    SingleRay(const Ray& ray, Roundings by)
+        : origin(ray.origin), inverse(1.0 / ray.direction),
+          by_edges(glm::notEqual(ray.direction, glm::dvec3(0.0)) && glm::bvec3(by != Roundings::V38))
+    {}
 
     /// Where it comes into the box; false: it misses it.
-    bool enter(const TestOrder::Box& box, float& at) const
+    bool enter(const TestOrder::Box& box, double& at) const
     {
-        float from = -std::numeric_limits<float>::max(), to = std::numeric_limits<float>::max();
+        double from = -std::numeric_limits<double>::max(), to = std::numeric_limits<double>::max();
         for (int axis = 0; axis < 3; ++axis) {
-            const float low = (box.lower[axis] - origin[axis]) * inverse[axis],
-                        high = (box.lower[axis] + box.edges[axis] - origin[axis]) * inverse[axis];
+            const double low = (box.lower[axis] - origin[axis]) * inverse[axis],
+                         along = box.edges[axis] * inverse[axis],
+                         high = by_edges[axis] ? low + along
+                                               : (box.lower[axis] + box.edges[axis] - origin[axis]) * inverse[axis];
             from = std::max(from, std::min(low, high));
             to = std::min(to, std::max(low, high));
         }
@@ -51,7 +64,7 @@ struct SingleRay {
 class Waiting {
 public:
     struct Entry {
-        float key;
+        double key;
         std::uint32_t node;
     };
 
@@ -90,7 +103,8 @@ TestOrder::Box TestOrder::Box::of(const Aabb& box)
     return {glm::vec3(box.lower), glm::vec3(edges), !(edges.x * edges.y * edges.z <= kInfiniteVolume)};
 }
 
-TestOrder::TestOrder(std::span<const Box> items)
+TestOrder::TestOrder(std::span<const Box> items, Roundings by, std::vector<std::uint32_t> whole)
+    : by_(by), whole_(std::move(whole))
 {
     Numbers finite, infinite;
     work_left_ = kWorkOfItem * items.size() + kLeastWork;
@@ -144,7 +158,7 @@ TestOrder::Numbers TestOrder::gather(const Numbers& nodes)
 }
 
 /// Sorts nodes; gives how many of the first are parted from the others, 0: none. areas: room for as many.
-std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& areas)
+std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& areas) const
 {
     const int axis = widest_axis(nodes);
     for (Placed& node : nodes) node.middle = node.box.lower[axis] + node.box.upper()[axis];
@@ -154,14 +168,14 @@ std::size_t TestOrder::divided(std::span<Placed> nodes, std::vector<float>& area
     Box behind = nodes[count - 1].box;
     for (std::size_t k = count; k-- > 0;) {
         behind = around(behind, nodes[k].box);
-        areas[k] = half_area(behind.edges);
+        areas[k] = half_area(behind.edges, by_);
     }
     std::size_t left = 0;  // nodes of the cheapest part
     float least = areas[0] * (static_cast<float>(count) - kCostOfNode);
     Box before = nodes[0].box;
     for (std::size_t k = 0; k + 1 < count; ++k) {
         before = around(before, nodes[k].box);
-        const float cost = static_cast<float>(k + 1) * half_area(before.edges) +
+        const float cost = static_cast<float>(k + 1) * half_area(before.edges, by_) +
                            static_cast<float>(count - 1 - k) * areas[k + 1];
         if (cost < least) least = cost, left = k + 1;
     }
@@ -186,8 +200,8 @@ TestOrder::Box TestOrder::hull(std::span<const std::uint32_t> nodes) const
     return box;
 }
 
-/// Along which the boxes lie farthest apart, as POV-Ray measures it: its running maximum takes lower corners.
-int TestOrder::widest_axis(std::span<const Placed> nodes)
+/// Along which the boxes lie farthest apart. The running maximum of 3.7 takes lower corners.
+int TestOrder::widest_axis(std::span<const Placed> nodes) const
 {
     constexpr float kFar = 1e30f;
     glm::vec3 least(kFar), most(-kFar);
@@ -195,7 +209,8 @@ int TestOrder::widest_axis(std::span<const Placed> nodes)
         for (int axis = 0; axis < 3; ++axis) {
             const float lower = node.box.lower[axis];
             least[axis] = std::min(least[axis], lower);
-            if (lower + node.box.edges[axis] > most[axis]) most[axis] = lower;
+            const float upper = lower + node.box.edges[axis];
+            if (upper > most[axis]) most[axis] = by_ == Roundings::V38 ? upper : lower;
         }
     const glm::vec3 spread = most - least;
     return spread.z > std::max(spread.x, spread.y) ? 2 : spread.y > spread.x ? 1 : 0;
@@ -203,13 +218,13 @@ int TestOrder::widest_axis(std::span<const Placed> nodes)
 
 std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
 {
-    const SingleRay single(ray);
+    const SingleRay single(ray, by_);
     thread_local Waiting waiting;
     waiting.clear();
     const auto open = [&](const Node& node) {
         for (std::uint32_t k = 0; k < node.child_count; ++k) {
             const std::uint32_t child = children_[node.first_child + k];
-            float key = kInfiniteKey;
+            double key = kInfiniteKey;
             if (nodes_[child].box.infinite || single.enter(nodes_[child].box, key)) waiting.add({key, child});
         }
     };
@@ -217,7 +232,10 @@ std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> it
     while (!waiting.empty()) {
         const Node& node = nodes_[waiting.take().node];
         if (node.item == kNone) open(node);
-        else if (std::find(items.begin(), items.end(), node.item) != items.end()) return node.item;
+        else if (const auto found = std::find_if(items.begin(), items.end(),
+                                                 [&](std::uint32_t item) { return whole_of(item) == node.item; });
+                 found != items.end())
+            return *found;
     }
     return *std::min_element(items.begin(), items.end());
 }
@@ -231,7 +249,9 @@ void TestOrder::arrange(std::vector<std::uint32_t>& items) const
         waiting.pop_back();
         if (node.item == kNone)
             for (std::uint32_t k = node.child_count; k-- > 0;) waiting.push_back(children_[node.first_child + k]);
-        else if (std::find(items.begin(), items.end(), node.item) != items.end()) arranged.push_back(node.item);
+        else
+            std::copy_if(items.begin(), items.end(), std::back_inserter(arranged),
+                         [&](std::uint32_t item) { return whole_of(item) == node.item; });
     }
     items = std::move(arranged);
 }

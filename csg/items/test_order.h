@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/types.h"
+#include "csg/base/roundings.h"
 
 #include <cstdint>
 #include <memory>
@@ -26,7 +26,10 @@ public:
     };
 
     /// \param items  boxes of all objects, as they are declared
-    explicit TestOrder(std::span<const Box> items);
+    /// \param by     whose hierarchy it is; ours is 3.7's
+    /// \param whole  of each item the place of the box that it lies in, where boxes hold several; empty: its own
+    explicit TestOrder(std::span<const Box> items, Roundings by = Roundings::V37,
+                       std::vector<std::uint32_t> whole = {});
 
     /// Of these items (places in the list), which the ray all meets, the one that is asked first.
     std::uint32_t first(const Ray& ray, std::span<const std::uint32_t> items) const;
@@ -51,16 +54,19 @@ private:
         float middle;
     };
 
+    std::uint32_t whole_of(std::uint32_t item) const { return whole_.empty() ? item : whole_[item]; }
     Numbers gather(const Numbers& nodes);
-    static std::size_t divided(std::span<Placed> nodes, std::vector<float>& areas);
-    static int widest_axis(std::span<const Placed> nodes);
+    std::size_t divided(std::span<Placed> nodes, std::vector<float>& areas) const;
+    int widest_axis(std::span<const Placed> nodes) const;
     std::uint32_t add_parent(std::span<const std::uint32_t> nodes);
     Box hull(std::span<const std::uint32_t> nodes) const;
 
     std::vector<Node> nodes_;
     Numbers children_;
     std::uint32_t root_ = kNone;  ///< none: the first of the items is the first
-    std::size_t work_left_ = 0;   ///< boxes that may still be looked at
+    Roundings by_;
+    Numbers whole_;
+    std::size_t work_left_ = 0;  ///< boxes that may still be looked at
 };
 
 /// The order, made when a ray first needs it.
@@ -71,6 +77,13 @@ public:
     static constexpr std::size_t kMostItems = 1u << 16;
     /// Boxes that are not an item's drawn bounds (drawn_bounds()), by item.
     std::vector<std::pair<std::uint32_t, TestOrder::Box>> boxes;
+    /// Items that are one object there: a bounded union, whose parts are asked together.
+    struct Whole {
+        std::uint32_t first, end;
+        TestOrder::Box box;
+    };
+    std::vector<Whole> wholes;
+    Roundings by = Roundings::V37;
 
     template <class Make>
     const TestOrder& made(Make&& make) const

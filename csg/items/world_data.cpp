@@ -153,6 +153,13 @@ void WorldData::test_box_of_last(const Aabb& box)
     test_order->boxes.emplace_back(static_cast<std::uint32_t>(items.size() - 1), TestOrder::Box::of(box));
 }
 
+void WorldData::test_box_since(std::size_t first, const Aabb& box)
+{
+    if (!test_order || items.size() == first) return;
+    test_order->wholes.push_back(
+        {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(items.size()), TestOrder::Box::of(box)});
+}
+
 void WorldData::guard_last(BoundingGuard guard)
 {
     items.back().guard = static_cast<std::uint32_t>(guards.size());

@@ -81,6 +81,7 @@ struct WorldData {
     bool drop_empty = true;            ///< items that draw nothing are never asked
     bool costly = false;               ///< some item is `many`
     Aabb costly_bounds;                ///< of all of these
+    Roundings told = Roundings::Own;   ///< whose last bits points and normals of hits have (csg/items/last_bits.h)
     bool faithful = false;  ///< answers by POV-Ray's constants, ray by ray where they matter (docs/faithful.md)
 
     /// A solid by itself.
@@ -94,6 +95,8 @@ struct WorldData {
     bool last_has_test_box();
     /// Gives it that box.
     void test_box_of_last(const Aabb& box);
+    /// Those added since there were so many are one object with that box there.
+    void test_box_since(std::size_t first, const Aabb& box);
     /// Puts a guard before the item that was added last.
     void guard_last(BoundingGuard guard);
     /// Builds the hierarchy, of many items on so many threads. surface_opaque must be set.

@@ -59,7 +59,7 @@ struct Cylinder {
 
     /// POV-Ray's frame: base at the second point, z toward the first. The points must differ.
     static Cylinder make(const glm::dvec3& first, const glm::dvec3& second, double radius, bool open,
-                         const Transform& t = {});
+                         const Transform& t = {}, Roundings by = Roundings::Own);
 
     /// Square of a direction across the axis that is none: the side lies beyond any distance.
     static constexpr double kAlong = 1e-300;

@@ -4,10 +4,11 @@
 
 namespace csg {
 
-Cylinder Cylinder::make(const glm::dvec3& first, const glm::dvec3& second, double radius, bool open, const Transform& t)
+Cylinder Cylinder::make(const glm::dvec3& first, const glm::dvec3& second, double radius, bool open, const Transform& t,
+                        Roundings by)
 {
-    const double length = glm::length(first - second);
-    return {t * axis_frame(second, (first - second) / length, radius, length), open};
+    const glm::dvec3 axis = first - second;
+    return {t * axis_frame(second, unit(axis, by), radius, glm::length(axis), by), open};
 }
 
 bool Cone::make(const glm::dvec3& first, double first_radius, const glm::dvec3& second, double second_radius, bool open,

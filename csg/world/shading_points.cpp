@@ -2,6 +2,7 @@
 #include "csg/solids/solid.h"
 #include "csg/packet/lanes/tile_rays.h"
 #include "csg/world/world.h"
+#include "csg/items/last_bits.h"
 #include "csg/items/world_data.h"
 
 #include <array>
@@ -53,10 +54,16 @@ void World::shading_points(const RayTile& rays, const HitTile& hits, std::uint64
     each_ray(copies, [&](std::size_t k) {
         out.set_normal(k, details(rays.ray(static_cast<int>(k)), hits.at(static_cast<int>(k)), false).normal);
     });
+    const auto tell = [&](std::size_t k) {
+        const int place = static_cast<int>(k);
+        const HitDetails told = details(rays.ray(place), hits.at(place), false);
+        out.set(k, told.point, told.normal);
+    };
     for (RayMask left = which & ~copies; left != 0;) {
         const PartId part = hits.part[static_cast<std::size_t>(std::countr_zero(left))];
         const RayMask group = left & lanes::equal(hits.part, part);
-        part_normals(data_->store, part, hits, group, out);
+        if (has_last_bits(data_->told, part)) each_ray(group, tell);
+        else part_normals(data_->store, part, hits, group, out);
         left &= ~group;
     }
 }

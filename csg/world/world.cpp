@@ -1,6 +1,7 @@
 #include "csg/world/world.h"
 
 #include "csg/items/spawn_epsilon.h"
+#include "csg/items/last_bits.h"
 #include "csg/items/depth_range.h"
 #include "csg/packet/tile_crossings.h"
 #include "csg/bvh/traverse.h"
@@ -259,14 +260,23 @@ Hit World::first(const Ray& ray, double t_min, double t_max, std::uint8_t kind_b
 const TestOrder& World::test_order() const
 {
     return data_->test_order->made([this] {
-        std::vector<TestOrder::Box> boxes(data_->items.size());
-        const auto& known = data_->test_order->boxes;
-        std::size_t next = 0;
-        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-            const bool given = next < known.size() && known[next].first == i;
-            boxes[i] = given ? known[next++].second : TestOrder::Box::of(unpadded_bounds(*data_, data_->items[i]));
+        const LazyTestOrder& told = *data_->test_order;
+        std::vector<TestOrder::Box> boxes;
+        std::vector<std::uint32_t> whole(data_->items.size());
+        auto known = told.boxes.begin();
+        auto many = told.wholes.begin();
+        for (std::uint32_t i = 0; i < whole.size();) {
+            const bool several = many != told.wholes.end() && many->first == i;
+            const std::uint32_t end = several ? many->end : i + 1;
+            TestOrder::Box box;
+            if (several) box = many++->box;
+            else if (known != told.boxes.end() && known->first == i) box = known->second;
+            else box = TestOrder::Box::of(unpadded_bounds(*data_, data_->items[i]));
+            while (known != told.boxes.end() && known->first < end) ++known;
+            for (; i < end; ++i) whole[i] = static_cast<std::uint32_t>(boxes.size());
+            boxes.push_back(box);
         }
-        return TestOrder(boxes);
+        return TestOrder(boxes, told.by, std::move(whole));
     });
 }
 
@@ -315,7 +325,7 @@ bool World::too_far(const Hit& hit) const { return hit.t > depth_range_of(*data_
 HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
 {
     HitDetails out;
-    out.point = ray.at(hit.t);
+    out.point = ray.at(told_depth(data_->store, ray, hit, data_->told));
     if (hit.instance != Hit::kNoInstance) {
         const Instance& one = data_->instances[hit.instance];
         const glm::dvec3 p = one.frame.inverse_point(out.point);
@@ -325,7 +335,7 @@ HitDetails World::details(const Ray& ray, const Hit& hit, bool with_uv) const
         if (with_uv) out.uv = uv_at(one.world->store, hit.part, hit.face, p, out.point);
         return out;
     }
-    out.normal = normal_at(data_->store, hit.part, hit.face, hit.inverted, out.point);
+    out.normal = told_normal(data_->store, hit, out.point, data_->told);
     if (with_uv) out.uv = uv_at(data_->store, hit.part, hit.face, out.point, out.point);
     if (kind_of(hit.part) == SolidKind::Mesh) {
         const Mesh& mesh = data_->store.all<Mesh>()[index_of(hit.part)];

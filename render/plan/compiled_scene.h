@@ -45,6 +45,7 @@ struct Options {
     int end_row = -1, end_column = -1;    ///< from 0, inclusive; -1: the last
     int block_size = 32;                  ///< +BS; antialiasing depends on it as in POV-Ray
     bool split_unions = false;            ///< +SU: bounds of unions of finite parts are dropped
+    bool last_bits = false;               ///< points of hits are rounded as 3.7 does; as 3.8 always, drawn as that
     bool faithful = false;                ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
     bool grain_stream =
         false;  ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone

@@ -3,8 +3,10 @@
 #include "function/points/evaluate.h"
 #include "csg/world/inside_index.h"
 #include "render/plan/compiled_scene.h"
+#include "render/scene/base/povray.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace plan {
@@ -14,7 +16,9 @@ namespace plan {
 class ObjectProbe {
 public:
     /// \param global noise and waves of the object's own functions
-    explicit ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global = {});
+    /// \param povray whose last bits answers have, if anybody's
+    explicit ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global = {},
+                         std::optional<scene::PovRay> povray = {});
     ~ObjectProbe();
 
     struct Answer {

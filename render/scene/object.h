@@ -172,6 +172,7 @@ struct Flags {
     bool no_radiosity : 1 = false;
     bool double_illuminate : 1 = false;
     bool uv_mapping : 1 = false;
+    bool unclipped_box : 1 = false;  ///< clips and bounds have no part in its extent (spec 5a, 7)
     bool textured_late : 1 = false;  ///< the texture, or a layer of it, was given after the object had moved
     std::optional<bool> hollow;
 };

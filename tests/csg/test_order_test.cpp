@@ -3,7 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <numeric>
+#include <string>
 
 using namespace csg;
 using csg_test::Rng;
@@ -90,4 +92,28 @@ TEST_CASE("boxes of which each is parted from all others do not take the square 
     }
     const TestOrder order(boxes);
     CHECK(order.first({{-1.0, 1e-4, 1e-4}, {1.0, 0.0, 0.0}}, all) == 0);
+}
+
+// spec 5a, 11.3, and 7d, 9: what POV-Ray 3.7 drew of two boxes with one upper face, and that 3.8 drew the first.
+TEST_CASE("of faces in one place 3.7 shows a grain, 3.8 a whole one", "[csg][test_order]")
+{
+    const std::vector<TestOrder::Box> boxes{box({-3.0, -2.0, -7.0}, {3.0, 0.0, -1.0}),
+                                            box({-8.0, -0.5, -8.0}, {8.0, 0.0, 8.0}),
+                                            box({-0.1, -0.1, 49.9}, {0.1, 0.1, 50.1})};
+    const glm::dvec3 eye(-8.0, 4.0, -14.0), ahead = glm::normalize(glm::dvec3(-2.0, 0.0, -4.0) - eye),
+                                            right = glm::normalize(glm::cross(glm::dvec3(0.0, 1.0, 0.0), ahead)),
+                                            up = glm::cross(ahead, right);
+    const double distance = 2.0 / 3.0 / std::tan(glm::radians(20.0));
+    const auto shown = [&](Roundings by) {
+        const TestOrder order(boxes, by);
+        std::string out;
+        for (int column = 70; column < 118; ++column) {
+            const double u = (column + 0.5) / 160.0 - 0.5, v = 0.5 - 60.5 / 120.0;
+            const glm::dvec3 d = glm::normalize(distance * ahead + u * 4.0 / 3.0 * right + v * up);
+            out += order.first({eye, d}, std::vector<std::uint32_t>{0, 1}) == 0 ? 'A' : 'B';
+        }
+        return out;
+    };
+    CHECK(shown(Roundings::V37) == "BAAABABAAAAAABABAAABBBABABBBAABBBAAAAABBBBAAAAAA");
+    CHECK(shown(Roundings::V38) == std::string(48, 'A'));
 }

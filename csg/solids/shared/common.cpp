@@ -48,7 +48,7 @@ Aabb ellipsoid_box(const glm::dmat3& linear, const glm::dvec3& center)
     return {center - half, center + half};
 }
 
-Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along)
+Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along, Roundings by)
 {
     // Rodrigues: z turned to the axis about k = (-axis_y, axis_x, 0); where that vanishes, about x (spec 5a, 3.3).
     glm::dvec3 k(-axis.y, axis.x, 0.0);
@@ -58,11 +58,18 @@ Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double acro
         c = axis.z > 0.0 ? 1.0 : -1.0;
         s = 0.0;
     } else {
-        k /= s;
+        k = unit(k, by);
     }
-    const glm::dmat3 cross({0, k.z, -k.y}, {-k.z, 0, k.x}, {k.y, -k.x, 0});
     Transform turn;
-    turn.linear = glm::dmat3(c) + cross * s + glm::outerProduct(k, k) * (1.0 - c);
+    if (by == Roundings::Own) {
+        const glm::dmat3 cross({0, k.z, -k.y}, {-k.z, 0, k.x}, {k.y, -k.x, 0});
+        turn.linear = glm::dmat3(c) + cross * s + glm::outerProduct(k, k) * (1.0 - c);
+    } else {  // POV-Ray asks for the angle
+        const double angle = numbers::acos(c), cosine = numbers::cos(angle), sine = numbers::sin(angle),
+                     rest = 1.0 - cosine, xy = k.x * k.y * rest, xs = k.x * sine, ys = k.y * sine;
+        turn.linear = glm::dmat3({k.x * k.x + cosine * (1.0 - k.x * k.x), xy, -ys},
+                                 {xy, k.y * k.y + cosine * (1.0 - k.y * k.y), xs}, {ys, -xs, cosine});
+    }
     turn.inverse_linear = glm::transpose(turn.linear);
     return Transform::translate(base) * (turn * Transform::scale({across, across, along}));
 }

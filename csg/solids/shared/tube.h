@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csg/base/types.h"
+#include "csg/base/roundings.h"
 #include "csg/spans/span.h"
 
 /// What cylinders, cones and lemons have in common.
@@ -20,6 +20,7 @@ inline void name_ends(bool open, I& ends)
 
 /// Frame of cylinders, cones, lemons and discs: scale (across, across, along), local z turned to `axis` about the
 /// shortest way and moved to `base` (spec 5a, 3.3). `axis` has unit length.
-Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along);
+Transform axis_frame(const glm::dvec3& base, const glm::dvec3& axis, double across, double along,
+                     Roundings by = Roundings::Own);
 
 }  // namespace csg

@@ -312,6 +312,7 @@ void read_component_modifiers(SceneBuilder& build, scene::Object& object)
 
 void read_modifiers(SceneBuilder& build, scene::Object& object)
 {
+    object.flags.unclipped_box = false;
     if (build.stream().peek().kind == Kind::RightBrace) return;
     ObjectState s(build, object);
     while (ModifierItems::match(build, s)) {}

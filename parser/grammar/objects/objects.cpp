@@ -159,6 +159,8 @@ void read_written(SceneBuilder& build, Kind keyword, scene::Object& object)
         object.source = source;
         if (!solid_head(keyword)(reader)) object.details.edit().unsupported = name;
         read_modifiers(build, object);
+        object.flags.unclipped_box = keyword == Kind::Blob || keyword == Kind::JuliaFractal ||
+                                     keyword == Kind::HeightField;
         if (forgets_inverse(object) && build.stream().povray() == scene::PovRay::V37) object.inverse = false;
     }
     build.close_block(name, opened);

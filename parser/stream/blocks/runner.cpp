@@ -54,6 +54,7 @@ Program& Runner::compile(std::uint32_t attempt)
     Program& made = *programs_.emplace_back(std::make_unique<Program>());
     made.attempt = attempt;
     made.version = stream_.language_.version;
+    made.povray = stream_.povray();
     return made;
 }
 

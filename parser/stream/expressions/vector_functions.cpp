@@ -1,5 +1,6 @@
 #include "numbers/functions/functions.h"
 #include "parser/stream/expressions/operand.h"
+#include "render/scene/last_bits.h"
 
 #include <algorithm>
 #include <numbers>
@@ -77,8 +78,7 @@ glm::dvec3 in_parentheses(TokenStream& stream, const Token& word)
     }
     case Kind::Vnormalize: {
         const glm::dvec3 v = vector_expr(stream);
-        const double length = glm::length(v);
-        if (length != 0.0) return v / length;
+        if (glm::length(v) != 0.0) return scene::unit(v, stream.povray());
         if (stream.language().version >= 350) stream.warn(stream.place(word), "vnormalize of a vector of length 0");
         return glm::dvec3(0.0);
     }

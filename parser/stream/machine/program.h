@@ -101,13 +101,14 @@ struct Program {
     std::vector<ReadyValues> ready;
     std::vector<ReadSite> reads;
     std::uint32_t registers = 0;
-    std::uint32_t again = kNoIndex;  ///< the block is a loop: where its next pass is asked for
-    std::uint32_t stops = 0;         ///< how often it was left before its end
-    std::uint32_t attempt = 0;       ///< how often it was compiled
-    int version = 0;                 ///< of the language
-    int result = 0;                  ///< components that a macro gives; 0: none
-    bool named = false;              ///< it may be a variable as such
-    bool turning = false;            ///< names have slots for several numbers of components
+    std::uint32_t again = kNoIndex;             ///< the block is a loop: where its next pass is asked for
+    std::uint32_t stops = 0;                    ///< how often it was left before its end
+    std::uint32_t attempt = 0;                  ///< how often it was compiled
+    int version = 0;                            ///< of the language
+    scene::PovRay povray = scene::PovRay::V37;  ///< whose last bits its numbers have
+    int result = 0;                             ///< components that a macro gives; 0: none
+    bool named = false;                         ///< it may be a variable as such
+    bool turning = false;                       ///< names have slots for several numbers of components
 };
 
 /// Registers below this are the stack of expressions.

@@ -4,6 +4,7 @@
 #include "parser/stream/machine/operations.h"
 #include "parser/stream/expressions/number_functions.h"
 #include "parser/stream/hooks.h"
+#include "render/scene/last_bits.h"
 
 /// Vectors and colours, choices, and what asks objects, functions and splines.
 namespace parser::blocks {
@@ -175,9 +176,8 @@ const Op* rotate(const Op* op, Machine& m)
 const Op* normalize(const Op* op, Machine& m)
 {
     double* const at = m.registers + op->to;
-    const double length = glm::length(at3(at));
-    if (!(length != 0.0)) return m.leave(op);
-    put3(at, at3(at) / length);
+    if (!(glm::length(at3(at)) != 0.0)) return m.leave(op);
+    put3(at, scene::unit(at3(at), m.program->povray));
     return op + 1;
 }
 

@@ -24,7 +24,7 @@ plan::ObjectProbe& SceneQueries::probe(const ObjectPtr& object, const scene::Des
         if (objects_.size() >= kMostKept) objects_.clear();
         scene::GlobalSettings global;  // as many waves as functions have while the scene is read
         global.noise_generator = noise_generator_;
-        known = objects_.emplace(object, std::make_unique<plan::ObjectProbe>(*object, global)).first;
+        known = objects_.emplace(object, std::make_unique<plan::ObjectProbe>(*object, global, so_far.povray)).first;
     }
     last_ = object.get();  // alive: the map holds it
     return *(last_probe_ = known->second.get());

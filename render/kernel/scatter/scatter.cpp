@@ -53,7 +53,7 @@ namespace {
         if (glm::dot(r, normal) < 0.0) r = mirrored_about(d, hit.normal, glm::dot(d, hit.normal));
         else r = mirrored_about(r, hit.normal, outward);
     }
-    r = glm::normalize(r);
+    r = mirrored_unit(r, context.scene.camera.povray);
     leave(hit.state, hit.level, hit.state.root, {hit.point, r}, weight, out);
     be_mirrored(hit.state.interiors, out);
     out.start = start_here(context, hit, r);

@@ -89,8 +89,7 @@ private:
             const Directions d{get(tile_.rays.dx), get(tile_.rays.dy), get(tile_.rays.dz)},
                 n{get(at.nx), get(at.ny), get(at.nz)};
             const Double along = dot(d, n);
-            Double length;
-            const Directions r = unit_of(mirrored_about(d, n, along), length);
+            const Directions r = mirrored_unit(mirrored_about(d, n, along), context_.scene.camera.povray);
             along.store_aligned(cosine_.data() + i);
             mirrored_.store(i, r);
             mirrored_along_ |= HitMask{csg::lanes::mask(dot(n, r) > zero)} << i;

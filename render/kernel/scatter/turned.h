@@ -1,6 +1,7 @@
 #pragma once
 
 #include "csg/base/points.h"
+#include "render/scene/base/povray.h"
 
 /// How mirrors and interfaces turn a ray (spec 3, section 8): D is glm::dvec3, or csg::lanes::Directions for many. The
 /// same bits.
@@ -24,6 +25,16 @@ template <class D>
     length = csg::lanes::root_of(csg::lanes::dot(v, v));
     const NumberOf<D> over = NumberOf<D>(1.0) / length;
     return {v.x * over, v.y * over, v.z * over};
+}
+
+/// A mirrored direction at unit length: 3.8 divides where 3.7 multiplies by the reciprocal (spec 7d, 6).
+template <class D>
+[[gnu::always_inline]] inline D mirrored_unit(const D& v, scene::PovRay povray)
+{
+    NumberOf<D> length;
+    const D by_reciprocal = unit_of(v, length);
+    if (povray == scene::PovRay::V37) return by_reciprocal;
+    return {v.x / length, v.y / length, v.z / length};
 }
 
 /// The direction behind an interface. A unit vector already as a rule, up to rounding; csg::World wants unit

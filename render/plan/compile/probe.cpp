@@ -16,7 +16,8 @@ constexpr double kMinDistance = 1e-4;  // nearer crossings do not count (spec 3,
 constexpr std::uint8_t kEveryRay = 0xff;
 
 /// The geometry alone: a texture costs time and says nothing here.
-CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSettings& global)
+CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSettings& global,
+                            std::optional<scene::PovRay> povray)
 {
     scene::Description alone;
     alone.global.noise_generator = global.noise_generator;
@@ -30,13 +31,17 @@ CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSett
     copy.default_texture = scene::Object::kNoDefault;
     if (copy.details->interior_texture) copy.details.edit().interior_texture = nullptr;
     copy.flags.no_image = copy.flags.no_shadow = copy.flags.no_reflection = false;
-    return compile(alone, {});
+    Options options;
+    if (povray) alone.povray = *povray;
+    options.last_bits = povray.has_value();
+    return compile(alone, options);
 }
 
 }  // namespace
 
-ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global)
-    : compiled_(compile_alone(object, global)), inside_(compiled_.world().data()),
+ObjectProbe::ObjectProbe(const scene::Object& object, const scene::GlobalSettings& global,
+                         std::optional<scene::PovRay> povray)
+    : compiled_(compile_alone(object, global, povray)), inside_(compiled_.world().data()),
       scratch_(std::make_unique<csg::Scratch>())
 {}
 ObjectProbe::~ObjectProbe() = default;

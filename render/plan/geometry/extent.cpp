@@ -291,6 +291,7 @@ csg::Aabb extent(const scene::Object& object)
         quadric != nullptr && !quadric->past->first_clips && !object.details->clipped_by.empty())
         box = smaller_quadric_box(box, *quadric, *object.transform, clip_box(object.details->clipped_by));
     box = kept(box);
+    if (object.flags.unclipped_box) return box;
     for (const std::vector<scene::Object>* set : {&object.details->bounded_by, &object.details->clipped_by})
         if (const csg::Aabb cut = common(*set); !set->empty() && !cut.empty() && volume(cut) < volume(box)) box = cut;
     return box;
@@ -308,6 +309,7 @@ csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& paren
     bare.shape = object.shape;
     bare.transform = object.transform;
     bare.inverse = object.inverse;
+    bare.flags.unclipped_box = object.flags.unclipped_box;
     if (!object.details->clipped_by.empty() || !object.details->bounded_by.empty()) {
         scene::ObjectDetails& details = bare.details.edit();
         details.clipped_by = object.details->clipped_by;

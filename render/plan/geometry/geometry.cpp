@@ -9,6 +9,7 @@
 #include "render/plan/lights.h"
 #include "render/plan/compile_photons.h"
 #include "render/plan/geometry/solids.h"
+#include "render/scene/last_bits.h"
 
 #include <algorithm>
 #include <utility>
@@ -65,7 +66,11 @@ GeometryCompiler::GeometryCompiler(const scene::Description& description, const 
       fields_(description, options, notes), starts_(camera_starts(out.camera, out.mesh_camera.get())),
       photons_(compile_photons(description, options.quality))
 {
-    if (bounding_active()) out_.geometry.test_order = std::make_shared<csg::LazyTestOrder>();
+    const csg::Roundings by = scene::roundings_of(description.povray);
+    if (options.last_bits || by == csg::Roundings::V38) out_.geometry.told = by;
+    if (!bounding_active()) return;
+    out_.geometry.test_order = std::make_shared<csg::LazyTestOrder>();
+    out_.geometry.test_order->by = by;
 }
 
 void GeometryCompiler::expect(std::size_t statements)
@@ -189,7 +194,9 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
             outer_bounds_.nested = true;
             Inherited whole_target = own;
             aim_photons(object, whole_target);
+            const std::size_t first = world_->items.size();
             for (const scene::Object& operand : *csg->operands) add_top(operand, whole_target);
+            if (!outer.nested) world_->test_box_since(first, outer_bounds_.box);
             outer_bounds_ = outer;
             return;
         }
@@ -258,7 +265,8 @@ csg::Solid GeometryCompiler::solid(const scene::Object& object, const Inherited&
     const bool on_surface = std::holds_alternative<scene::Sphere>(object.shape) &&
                             (own.uv_mapping || uv_use_.of((own.texture ? own.texture : default_texture_).texture) ||
                              uv_use_.of(own.interior_texture.texture));
-    return world_solid(object.shape, own.to_world, on_surface, description_.povray == scene::PovRay::V38);
+    return world_solid(object.shape, own.to_world, on_surface, description_.povray == scene::PovRay::V38,
+                       out_.geometry.told);
 }
 
 csg::Tree GeometryCompiler::tree(const scene::Object& object, const Inherited& own)

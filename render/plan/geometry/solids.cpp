@@ -58,6 +58,7 @@ Corners oriented(const Corners& c, bool moved)
 struct ToWorld {
     const csg::Transform& t;
     bool on_surface, sides_by_order;
+    csg::Roundings by;
 
     Corners moved(const Corners& c) const { return {t.point(c[0]), t.point(c[1]), t.point(c[2])}; }
     csg::Solid operator()(const scene::Sphere& s) const
@@ -79,14 +80,14 @@ struct ToWorld {
     csg::Solid operator()(const scene::Plane& s) const { return csg::Plane{s.normal, s.offset}.transformed(t); }
     csg::Solid operator()(const scene::Cylinder& s) const
     {
-        return csg::Cylinder::make(s.base, s.cap, std::abs(s.radius), s.open, t);
+        return csg::Cylinder::make(s.base, s.cap, std::abs(s.radius), s.open, t, by);
     }
     csg::Solid operator()(const scene::Cone& s) const
     {
         csg::Cone cone;
         double radius = 0.0;
         if (csg::Cone::make(s.base, s.base_radius, s.cap, s.cap_radius, s.open, t, cone, radius)) return cone;
-        return csg::Cylinder::make(s.base, s.cap, radius, s.open, t);
+        return csg::Cylinder::make(s.base, s.cap, radius, s.open, t, by);
     }
     csg::Solid operator()(const scene::Torus& s) const
     {
@@ -160,9 +161,10 @@ csg::SpindleTorus spindle_torus(const scene::Torus& torus)
     return {torus.major, torus.minor, kSpindles[static_cast<std::size_t>(torus.spindle)]};
 }
 
-csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface, bool sides_by_order)
+csg::Solid world_solid(const scene::Shape& shape, const csg::Transform& to_world, bool on_surface, bool sides_by_order,
+                       csg::Roundings by)
 {
-    return std::visit(ToWorld{to_world, on_surface, sides_by_order}, shape);
+    return std::visit(ToWorld{to_world, on_surface, sides_by_order, by}, shape);
 }
 
 }  // namespace plan
