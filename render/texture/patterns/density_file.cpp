@@ -44,23 +44,6 @@ AxisPlaces places_along(const Volume& v, const Corner& c, std::size_t axis)
 
 double sample(const Volume& v, std::uint64_t place) { return v.samples[place] / v.most; }
 
-double trilinear(const Volume& v, const Corner& c)
-{
-    const std::array<AxisPlaces, 3> along{places_along(v, c, 0), places_along(v, c, 1), places_along(v, c, 2)};
-    double sum = 0.0;
-    for (std::size_t k = 0; k < 8; ++k) {
-        std::uint64_t place = 0;
-        double share = 1.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const bool upper = (k >> axis) & 1;
-            place += along[axis][upper ? 2 : 1];
-            share *= upper ? c.beyond[axis] : 1.0 - c.beyond[axis];
-        }
-        sum += share * sample(v, place);
-    }
-    return sum;
-}
-
 /// Catmull-Rom through b and c.
 float cubic(float a, float b, float c, float d, float t)
 {
@@ -98,46 +81,63 @@ double tricubic(const Volume& v, const Corner& c)
 constexpr int kTrilinear = 1;
 int interpolation(const Pattern& pattern) { return static_cast<int>(pattern.numbers[0]) % 10; }
 
-/// Of as many points as there are lanes, on one axis: where the sample below each and the next one lie, as whole
-/// numbers, and the shares that both have.
+/// On one axis: where the samples below a point and above it lie, as whole numbers, and the shares that both have. V is
+/// double, or Double for as many points as there are lanes.
+template <class V>
 struct Between {
-    Double place[2], share[2];
+    V place[2], share[2];
 
-    Between(const Double& t, std::uint32_t size, double stride)
+    Between(const V& t, std::uint32_t size, double stride)
     {
-        const Double last(static_cast<double>(size) - 1.0), zero(0.0), one(1.0), by(stride);
-        const Double at = xsimd::min(xsimd::trunc(t), last), beyond = t - at;
-        place[0] = at * by, place[1] = xsimd::select(at == last, zero, at + one) * by;
+        using csg::lanes::choose, std::trunc, xsimd::trunc;
+        const V last(static_cast<double>(size) - 1.0), zero(0.0), one(1.0), by(stride), whole = trunc(t);
+        const V at = choose(whole < last, whole, last), beyond = t - at;
+        place[0] = at * by, place[1] = choose(at < last, at + one, zero) * by;
         share[0] = one - beyond, share[1] = beyond;
     }
 };
 
-/// trilinear() of each, in the same order of sums.
+double sample(const Volume& v, double place)
+{
+    return sample(v, static_cast<std::uint64_t>(static_cast<std::int64_t>(place)));
+}
+Double sample(const Volume& v, const Double& place)
+{
+    alignas(64) double places[kLanes], samples[kLanes];
+    place.store_aligned(places);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+        samples[lane] = v.samples[static_cast<std::size_t>(static_cast<std::int64_t>(places[lane]))];
+    return Double::load_aligned(samples) / Double(v.most);
+}
+
+/// Of points in the unit cube.
+template <class V>
+V trilinear(const Volume& v, const V& px, const V& py, const V& pz)
+{
+    const double row = v.size[0], plane = row * v.size[1];
+    const auto axis = [&](const V& p, std::size_t k, double stride) {
+        return Between<V>(p * V(static_cast<double>(v.size[k])), v.size[k], stride);
+    };
+    const Between<V> x = axis(px, 0, 1.0), y = axis(py, 1, row), z = axis(pz, 2, plane);
+    V sum(0.0);
+    for (std::size_t k = 0; k < 8; ++k) {
+        const std::size_t a = k & 1, b = k >> 1 & 1, c = k >> 2;
+        sum = sum + x.share[a] * y.share[b] * z.share[c] * sample(v, x.place[a] + y.place[b] + z.place[c]);
+    }
+    return sum;
+}
+
 void trilinear_values(const Volume& v, const Points& p, Values& out)
 {
-    const Double zero(0.0), one(1.0), most(v.most);
-    const double row = v.size[0], plane = row * v.size[1];
+    const Double zero(0.0), one(1.0);
     for (std::size_t i = 0; i < p.size(); i += kLanes) {
         const Double px = get(p.x, i), py = get(p.y, i), pz = get(p.z, i);
         const auto within = [&](const Double& c) { return (c >= zero) & (c < one); };
         const auto inside = within(px) & within(py) & within(pz);
-        Double sum = zero;
-        if (xsimd::any(inside)) {
-            const auto axis = [&](const Double& c, std::size_t k, double stride) {
-                return Between(xsimd::select(inside, c, zero) * Double(static_cast<double>(v.size[k])), v.size[k],
-                               stride);
-            };
-            const Between x = axis(px, 0, 1.0), y = axis(py, 1, row), z = axis(pz, 2, plane);
-            for (std::size_t k = 0; k < 8; ++k) {
-                const std::size_t a = k & 1, b = k >> 1 & 1, c = k >> 2;
-                alignas(64) double places[kLanes], samples[kLanes];
-                (x.place[a] + y.place[b] + z.place[c]).store_aligned(places);
-                for (std::size_t lane = 0; lane < kLanes; ++lane)
-                    samples[lane] = v.samples[static_cast<std::size_t>(static_cast<std::int64_t>(places[lane]))];
-                sum = sum + x.share[a] * y.share[b] * z.share[c] * (Double::load_aligned(samples) / most);
-            }
-        }
-        xsimd::select(inside, sum, zero).store_aligned(out.data() + i);
+        const auto kept = [&](const Double& c) { return xsimd::select(inside, c, zero); };
+        Double value = zero;
+        if (xsimd::any(inside)) value = xsimd::select(inside, trilinear(v, kept(px), kept(py), kept(pz)), zero);
+        value.store_aligned(out.data() + i);
     }
 }
 
@@ -155,7 +155,7 @@ double density(const Pattern& pattern, const Volume& volume, const glm::dvec3& p
     const Corner corner = corner_of(volume, p);
     switch (interpolation(pattern)) {
     case 0: return sample(volume, (corner.at[2] * volume.size[1] + corner.at[1]) * volume.size[0] + corner.at[0]);
-    case kTrilinear: return trilinear(volume, corner);
+    case kTrilinear: return trilinear(volume, p.x, p.y, p.z);
     default: return tricubic(volume, corner);
     }
 }
