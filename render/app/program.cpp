@@ -3,6 +3,7 @@
 #include "render/app/run/written_journal.h"
 #include "render/app/report/console_reporter.h"
 #include "render/app/run/memory.h"
+#include "render/scene/base/large_page.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <malloc.h>
 #include <sys/mman.h>
@@ -53,25 +53,13 @@ int with_output(int status, int failure)
 }
 
 #if defined(__GLIBC__)
-/// Whether a first touch of the large page is as fast as clearing it. In a virtual machine the host may first have to
-/// find the memory in small pages, which takes ten times as long.
-bool touched_fast(std::uintptr_t page)
-{
-    constexpr long kSlow = 600'000;  // nanoseconds; clearing takes 100'000 to 300'000
-    timespec before{}, after{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
-    *reinterpret_cast<volatile char*>(page) = 0;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
-    return (after.tv_sec - before.tv_sec) * 1'000'000'000 + after.tv_nsec - before.tv_nsec < kSlow;
-}
-
 /// Lets the heap begin with room in pages of 2 MB, for each small page that is touched costs 1 to 12 microseconds: most
 /// of what a small scene takes, and a third of what a description of 20,000 objects does. `grown`: by so much
 /// afterwards.
 void begin_heap_with_large_pages(int grown)
 {
     constexpr int kRoom = 256 << 20;
-    constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
+    constexpr std::uintptr_t kPage = scene::kLargePage;
     constexpr std::size_t kFirst = std::size_t{64} << 10, kHeader = 32;
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return;  // the room would count
@@ -82,8 +70,7 @@ void begin_heap_with_large_pages(int grown)
                end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / kPage * kPage;
     if (begin >= end || end - begin > kRoom) return std::free(first);  // elsewhere than in the heap
     void* const pages = reinterpret_cast<void*>(begin);
-    madvise(pages, end - begin, MADV_HUGEPAGE);  // where the kernel has none this changes nothing
-    if (!touched_fast(begin)) madvise(pages, end - begin, MADV_NOHUGEPAGE);
+    if (!scene::take_large_page(pages, end - begin)) madvise(pages, end - begin, MADV_NOHUGEPAGE);
     // What lies before the first large page is left out for good: it is never touched.
     static const void* const before_pages = std::realloc(first, begin - at - kHeader);
     static_cast<void>(before_pages);

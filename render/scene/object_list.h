@@ -1,12 +1,10 @@
 #pragma once
 
+#include "render/scene/base/large_page.h"
 #include "render/scene/object.h"
-
-#include <sys/mman.h>
 
 #include <cstddef>
 #include <cstdlib>
-#include <ctime>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -110,25 +108,25 @@ public:
     Iterator<const ObjectList, const Object> end() const { return {this, size()}; }
 
 private:
-    static constexpr std::size_t kBlock = 128, kFewBlocks = 16, kHugePage = std::size_t{2} << 20;
+    static constexpr std::size_t kBlock = 128, kFewBlocks = 16;
     struct Free {
         bool page = false;
         void operator()(void* memory) const
         {
-            if (page) ::operator delete (memory, std::align_val_t{kHugePage});
+            if (page) ::operator delete (memory, std::align_val_t{kLargePage});
             else ::operator delete(memory);
         }
     };
     /// The first blocks by themselves, later ones many at a time where one page of the system is enough for all.
     void add_block()
     {
-        constexpr std::size_t kBytes = kBlock * sizeof(Object), kMany = kHugePage / kBytes;
+        constexpr std::size_t kBytes = kBlock * sizeof(Object), kMany = kLargePage / kBytes;
         if (free_ == 0) {
             const bool many = blocks_.size() >= kFewBlocks;
-            void* const memory = many ? ::operator new (kHugePage, std::align_val_t{kHugePage})
+            void* const memory = many ? ::operator new (kLargePage, std::align_val_t{kLargePage})
                                       : ::operator new(kBytes);
             memory_.emplace_back(memory, Free{many});
-            if (many && huge_pages_) huge_pages_ = take_huge_page(memory);
+            if (many && large_pages_) large_pages_ = take_large_page(memory, kLargePage);
             next_ = static_cast<Object*>(memory);
             free_ = many ? kMany : 1;
         }
@@ -136,25 +134,11 @@ private:
         next_ += kBlock;
         --free_;
     }
-    /// Touches the block as a huge page; whether that was fast. In a virtual machine the host may first have to find
-    /// the memory in small pages: ten times the work of clearing it, and slower than small pages that the guest already
-    /// has.
-    static bool take_huge_page(void* memory)
-    {
-        constexpr long kSlow =
-            600'000;  // nanoseconds; clearing takes 100'000 to 300'000, small pages as many bytes 800'000
-        timespec before{}, after{};
-        madvise(memory, kHugePage, MADV_HUGEPAGE);
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
-        *static_cast<volatile char*>(memory) = 0;
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
-        return (after.tv_sec - before.tv_sec) * 1'000'000'000 + after.tv_nsec - before.tv_nsec < kSlow;
-    }
     std::vector<Object*> blocks_;
     std::vector<std::unique_ptr<void, Free>> memory_;
     std::size_t size_ = 0, free_ = 0;  ///< free: blocks left of the memory that was asked for last
     Object* next_ = nullptr;           ///< the first of them
-    bool huge_pages_ = true;
+    bool large_pages_ = true;
 };
 
 }  // namespace scene
