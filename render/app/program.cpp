@@ -61,6 +61,7 @@ void begin_heap_with_large_pages(int grown)
     constexpr int kRoom = 256 << 20;
     constexpr std::uintptr_t kPage = scene::kLargePage;
     constexpr std::size_t kFirst = std::size_t{64} << 10, kHeader = 32;
+    mallopt(M_TOP_PAD, grown);
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return;  // the room would count
     mallopt(M_TOP_PAD, kRoom);
