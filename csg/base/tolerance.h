@@ -35,12 +35,11 @@ struct Tolerance {
         return coarse(start, length) / glm::max(glm::abs(incidence), kFlattest);
     }
 
-    /// Crossings of different objects nearer to each other than this lie in one place: there the object that comes
-    /// first is seen, so that of two faces in one place a whole face shows and no grain of both. Each solid has a
-    /// formula of its own, and what they say of one face differs by up to 1.5e-14 of that where the ray's cosine with
-    /// it is above 0.05 (the pairs of tests/render/plan/ same_place_test.cpp, of which 7 in 10 made grain); nothing
-    /// that is drawn apart lies so close.
-    /// \param reach  the largest coordinate of the ray's origin, by amount
+    /// Crossings of different objects nearer to each other than this lie in one place: there the object is seen that
+    /// POV-Ray asks first (TestOrder), whatever the last bits of ours say. Each solid has a formula of its own, and
+    /// what they say of one face differs by up to 1.5e-14 of that where the ray's cosine with it is above 0.05 (the
+    /// pairs of tests/render/plan/same_place_test.cpp); nothing that is drawn apart lies so close. \param reach  the
+    /// largest coordinate of the ray's origin, by amount
     static constexpr double kSamePlace = 1e-12;
     template <class Number>
     static Number same_place(const Number& t, const Number& reach)
