@@ -1,0 +1,3 @@
+#include "render/scene/object.h"
+
+template struct scene::Sealed<scene::ShapeKinds>;
