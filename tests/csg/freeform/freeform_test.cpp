@@ -204,7 +204,7 @@ TEST_CASE("what a description stands for is made once, when it is asked for", "[
         ++made;
         return Blob(0.5, {sphere({0, 0, 0}, 1.0, 1.0)});
     });
-    const auto copy = std::make_shared<const FreeformShape>(*later);
+    const std::shared_ptr<const FreeformShape> copy = later;
     CHECK(made == 0);
     const auto first = drawn_shape(later), second = drawn_shape(copy);
     CHECK((made == 1 && first == second));
