@@ -36,10 +36,10 @@ struct Tolerance {
     }
 
     /// Crossings of different objects nearer to each other than this lie in one place: there the object is seen that
-    /// POV-Ray asks first (TestOrder), whatever the last bits of ours say. Each solid has a formula of its own, and
-    /// what they say of one face differs by up to 1.5e-14 of that where the ray's cosine with it is above 0.05 (the
-    /// pairs of tests/render/plan/same_place_test.cpp); nothing that is drawn apart lies so close. \param reach  the
-    /// largest coordinate of the ray's origin, by amount
+    /// POV-Ray asks first (TestOrder), whatever the last bits of ours say. Each solid has a formula of its own. What
+    /// they say of one face differs by up to 1.5e-14 of that where the ray's cosine with it is above 0.05
+    /// (same_place_test.cpp of the plan); nothing that is drawn apart lies so close.
+    /// \param reach  the largest coordinate of the ray's origin, by amount
     static constexpr double kSamePlace = 1e-12;
     template <class Number>
     static Number same_place(const Number& t, const Number& reach)

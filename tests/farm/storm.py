@@ -64,9 +64,10 @@ def weather(program, seed):
                     befell, other = befall(job, rng, counts, counts["edits"] > 0)
                     mishaps -= befell
                     others += [other] if other else []
+            late = any(other.poll() is None for other in others)  # and may write what it read before an edit
             for other in others:
                 other.wait()
-            if running.returncode == 0 and told == job.text:
+            if running.returncode == 0 and told == job.text and not late:
                 break
         wanted = job.plain()
         wrong = jobs.differences(job.pictures(), wanted)
