@@ -21,7 +21,6 @@ VERSION = "3.7.0.10"
 
 # Scenes of the recorded seeds that do not agree yet, and why (docs/parity.md). One that agrees again has to leave the list.
 KNOWN: dict[tuple[str, int], str] = {
-    ("places", 2): "POV-Ray's own grain where two faces lie in one place",
     ("copies", 17): "an opaque merge with a clear part filters light twice where POV-Ray remembers it as what blocked light last (spec 3, 13.3)",
 }
 
