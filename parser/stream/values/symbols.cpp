@@ -3,34 +3,43 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <utility>
 
 namespace parser {
 namespace {
 
-/// Memory of cells that is used again at once: macros make and leave a handful at every call.
+/// Memory of cells that is used again at once: macros make and leave a handful at every call. What is free lies in a
+/// list within itself, so that giving it back never asks for memory.
 class CellMemory {
 public:
     ~CellMemory()
     {
-        for (void* const one : free_) ::operator delete(one);
+        while (free_) ::operator delete(pop());
     }
     void* take(std::size_t size)
     {
-        if (size != size_ || free_.empty()) return size_ = size, ::operator new(size);
-        void* const one = free_.back();
-        free_.pop_back();
-        return one;
+        if (!free_) size_ = size;
+        return size == size_ && free_ ? pop() : ::operator new(size);
     }
     void give(void* one, std::size_t size)
     {
         constexpr std::size_t kMost = 1024;
-        if (size == size_ && free_.size() < kMost) free_.push_back(one);
-        else ::operator delete(one);
+        if (size != size_ || count_ >= kMost) return ::operator delete(one);
+        free_ = new (one) Free{free_};
+        ++count_;
     }
 
 private:
-    std::size_t size_ = 0;
-    std::vector<void*> free_;
+    struct Free {
+        Free* next;
+    };
+    void* pop()
+    {
+        --count_;
+        return std::exchange(free_, free_->next);
+    }
+    std::size_t size_ = 0, count_ = 0;
+    Free* free_ = nullptr;
 };
 
 CellMemory& cell_memory()
