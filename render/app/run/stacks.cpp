@@ -42,7 +42,7 @@ void deepen_workers(std::size_t) {}
 {
     constexpr std::size_t kTracing = std::size_t{1} << 20,
                           kPage = 4096;  // bytes; kernels with vectors of eight use 450,000
-    volatile char room[kTracing];
+    [[maybe_unused]] volatile char room[kTracing];
     for (std::size_t at = kTracing; at > 0; at -= kPage) room[at - 1] = 0;
 }
 #endif
