@@ -40,8 +40,8 @@ void deepen_workers(std::size_t) {}
 /// refused later, which ends the process without a word.
 [[gnu::noinline]] void grow_first_stack()
 {
-    constexpr std::size_t kTracing = std::size_t{1} << 20,
-                          kPage = 4096;  // bytes; kernels with vectors of eight use 450,000
+    constexpr std::size_t kTracing = std::size_t{1} << 20;  // bytes; kernels with vectors of eight use 450,000
+    constexpr std::size_t kPage = 4096;
     [[maybe_unused]] volatile char room[kTracing];
     for (std::size_t at = kTracing; at > 0; at -= kPage) room[at - 1] = 0;
 }

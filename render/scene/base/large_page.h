@@ -14,8 +14,8 @@ inline constexpr std::size_t kLargePage = std::size_t{2} << 20;
 /// than small pages that the guest already has. Where the kernel has no such pages this changes nothing.
 inline bool take_large_page(void* memory, std::size_t bytes)
 {
-    constexpr long kSlow =
-        600'000;  // nanoseconds; clearing takes 100'000 to 300'000, small pages as many bytes 800'000
+    // Nanoseconds; clearing takes 100'000 to 300'000, small pages as many bytes 800'000.
+    constexpr long kSlow = 600'000;
     timespec before{}, after{};
     madvise(memory, bytes, MADV_HUGEPAGE);
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);

@@ -33,9 +33,7 @@ using AxisPlaces = std::array<std::uint64_t, 4>;
 AxisPlaces places_along(const Volume& v, const Corner& c, std::size_t axis)
 {
     const std::uint64_t at = c.at[axis], size = v.size[axis];
-    const auto inside = [&](std::uint64_t place) {
-        return place < size ? place : place % size;
-    };  // it seldom ends here
+    const auto inside = [&](std::uint64_t place) { return place < size ? place : place % size; };
     std::uint64_t stride = 1;
     for (std::size_t k = 0; k < axis; ++k) stride *= v.size[k];
     // The one before 0 is counted in 64 bits without sign: the last one only if the size is a power of two.

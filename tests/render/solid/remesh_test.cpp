@@ -93,6 +93,19 @@ solid::TriangleMesh octahedron()
     return mesh;
 }
 
+/// The mesh of a body that has to be made anew, closed and without thin triangles.
+solid::TriangleMesh remeshed(const solid::Body& body, double tolerance)
+{
+    solid::RefineOptions options;
+    options.tolerance = tolerance;
+    solid::MeshFacts facts;
+    solid::TriangleMesh mesh = good_mesh(body, options, facts);
+    CHECK(facts.remeshed);
+    CHECK(solid::check(mesh).good());
+    CHECK(thin_share(mesh) < 0.01);
+    return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("connections change and the mesh stays closed", "[solid]")
@@ -227,13 +240,10 @@ TEST_CASE("no triangle of a toothed wheel looks away from its surface", "[solid]
 TEST_CASE("julia sets are made anew, and what is late is not", "[solid]")
 {
     const solid::Body body = body_of("julia_fractal { <-0.1, 0.3, 0.1, 0.1> quaternion sqr max_iteration 3 }");
+    remeshed(body, 0.03);
     solid::RefineOptions options;
     options.tolerance = 0.03;
     solid::MeshFacts facts;
-    const solid::TriangleMesh mesh = good_mesh(body, options, facts);
-    CHECK(facts.remeshed);
-    CHECK(solid::check(mesh).good());
-    CHECK(thin_share(mesh) < 0.01);
     options.deadline = std::chrono::steady_clock::now();
     CHECK(solid::check(good_mesh(body, options, facts)).good());
     CHECK(!facts.remeshed);
@@ -252,13 +262,7 @@ TEST_CASE("isosurfaces and height fields have triangles of a good shape with cor
     for (const char* scene : scenes) {
         INFO(scene);
         const solid::Body body = body_of(scene);
-        solid::RefineOptions options;
-        options.tolerance = 0.02;
-        solid::MeshFacts facts;
-        const solid::TriangleMesh mesh = good_mesh(body, options, facts);
-        CHECK(facts.remeshed);
-        CHECK(solid::check(mesh).good());
-        CHECK(thin_share(mesh) < 0.01);
+        const solid::TriangleMesh mesh = remeshed(body, 0.02);
         std::size_t off = 0;
         for (const glm::vec3& v : mesh.vertices) {
             double nearest = 1.0;
