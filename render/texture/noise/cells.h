@@ -8,19 +8,6 @@
 /// The sums of lattice noise for as many points as there are lanes.
 namespace texture {
 
-/// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there.
-inline Double clamp01(const Double& v)
-{
-    const Double zero(0.0), one(1.0);
-    return xsimd::select(v < zero, zero, xsimd::select(one < v, one, v));
-}
-
-/// Noise of generator 1 or 2 from the sum over a cell's corners.
-inline Double ranged(const Double& raw, int generator)
-{
-    return clamp01(generator == 1 ? raw + Double(0.5) : (raw + Double(1.05242)) * Double(0.48985582));
-}
-
 /// Toward zero to 32 bits and back; out of range and NaN give the least integer. `index`, `next`: the numbers of the
 /// cells and of those behind them.
 inline Double truncated(const Double& v, std::uint32_t* index, std::uint32_t* next)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/lane_arithmetic.h"
 #include "numbers/lanes.h"
 #include "numbers/row.h"
 #include "render/texture/noise/noise_tables.h"
@@ -12,6 +13,22 @@
 /// cell. Each part is multiplied by the corner's share of the point, then by the row. One order of sums everywhere
 /// (corners in pairs along x, then y, then z, then the parts), so every way gives the same bits.
 namespace texture {
+
+/// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there. V is double or Double.
+template <class V>
+inline V clamp01(const V& v)
+{
+    using csg::lanes::choose;
+    const V zero(0.0), one(1.0);
+    return choose(v < zero, zero, choose(one < v, one, v));
+}
+
+/// Noise of generator 1 or 2 from the sum over a cell's corners.
+template <class V>
+inline V noise_of_sum(const V& sum, int generator)
+{
+    return clamp01(generator == 1 ? V(sum + V(0.5)) : V((sum + V(1.05242)) * V(0.48985582)));
+}
 
 inline constexpr double kNearlyOne = 1.0 - 1e-10;  ///< cells of negative coordinates (spec 4, 2.2)
 inline constexpr int kLatticeMask = NoiseTables::kHashSize - 1;

@@ -4,7 +4,6 @@
 #include "render/texture/noise/lattice.h"
 #include "render/texture/noise/noise_tables.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace texture {
@@ -75,8 +74,6 @@ double gradient_noise(const glm::dvec3& p)
     return low * (1 - sz) + high * sz;
 }
 
-double clamp01(double v) { return std::clamp(v, 0.0, 1.0); }
-
 }  // namespace
 
 double noise(const glm::dvec3& p, int generator)
@@ -84,7 +81,7 @@ double noise(const glm::dvec3& p, int generator)
     if (generator == 3) return clamp01(0.5 * (1.59 * gradient_noise(p) + 0.985));
     double raw[1];
     lattice_sums(p, raw);
-    return generator == 1 ? clamp01(raw[0] + 0.5) : clamp01((raw[0] + 1.05242) * 0.48985582);
+    return noise_of_sum(raw[0], generator);
 }
 
 glm::dvec3 vector_noise(const glm::dvec3& p)

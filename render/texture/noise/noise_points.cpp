@@ -108,7 +108,7 @@ void noise_points(const Points& p, int generator, Values& out)
     }
     if (p.density) single_sums(p, 0, out);
     else lattice_points<1>(p, 0, {out.data()});
-    each(p.size(), [&](std::size_t i) { put(out, i, ranged(get(out, i), generator)); });
+    each(p.size(), [&](std::size_t i) { put(out, i, noise_of_sum(get(out, i), generator)); });
 }
 
 void noise_eight(const double* x, const double* y, const double* z, int generator, double* out)
@@ -118,7 +118,7 @@ void noise_eight(const double* x, const double* y, const double* z, int generato
         return;
     }
     lattice_rows<1>({x, y, z}, 8, 0, {out});
-    each(8, [&](std::size_t i) { ranged(Double::load_aligned(out + i), generator).store_aligned(out + i); });
+    each(8, [&](std::size_t i) { noise_of_sum(Double::load_aligned(out + i), generator).store_aligned(out + i); });
 }
 
 void vector_noise_points(const Points& p, unsigned live, Points& out)

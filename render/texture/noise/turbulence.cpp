@@ -79,7 +79,7 @@ double scalar_turbulence(const glm::dvec3& p, int octaves, double lambda, double
         sums.each(p, [&](std::size_t i, std::size_t count, const Axes& at) {
             double* const to[1] = {n + i};
             if (generator != 3) own_cells<1>(at, count, first_row(0), to);
-            const Double v = Double::load_aligned(n + i), ready = generator == 3 ? v : ranged(v, generator),
+            const Double v = Double::load_aligned(n + i), ready = generator == 3 ? v : noise_of_sum(v, generator),
                          term = generator == 1 ? ready : Double(2.0) * ready - Double(0.5);
             (sums.shares(i) * term).store_aligned(n + i);
         });
