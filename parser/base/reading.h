@@ -79,6 +79,8 @@ struct Result {
     std::map<std::string, std::string>
         values;                           ///< global numbers, vectors and texts at the end, as the scene writes them
     std::vector<std::string> data_files;  ///< read besides the text: by #fopen, images, densities, fonts; in order
+    /// What stood in scene.files and in data_files when they were read, not later (files::hash_of_text, hash_of_file).
+    std::vector<std::uint64_t> text_hashes, data_hashes;
 };
 
 /// Called with each message as it arises (may be empty).

@@ -325,6 +325,30 @@ def older_pictures(place):
     says(place.render("+Fp", "+Ob", "+C", "+A"), "skipped")  # which says nothing of itself
 
 
+def edited_while_read(place):
+    """A file that is edited between its reading and the picture: +C tells that the picture is of what stood there before."""
+    slow = PLAIN + '#include "more.inc"\n#fopen In "data.txt" read\n#read (In, A)\n#debug "it is read\\n"\n' \
+                   '#declare I = 0;\n#while (I < 300000)\n#declare I = I + 1;\n#end\nsphere { x, A pigment { rgb Some } }\n'
+    for edited, old, new in (("s.pov", "0.9", "0.8"), ("more.inc", "1", "0.5"), ("data.txt", "0.3", "0.4")):
+        place.write(slow)
+        (place.folder / "more.inc").write_text("#declare Some = 1;\n")
+        (place.folder / "data.txt").write_text("0.3\n")
+        place.render()
+        first = place.bytes("s.png")
+        (place.folder / "s.png").unlink()
+        running = subprocess.Popen([place.program, "s.pov", *SIZE], cwd=place.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        for line in running.stderr:
+            if "it is read" in line:
+                break
+        file = place.folder / edited
+        file.write_text(file.read_text().replace(old, new))
+        running.communicate()
+        tell(running.returncode == 0 and place.bytes("s.png") == first, f"{edited}: the picture is not of what was read")
+        says(place.render("+C"), "is of an older scene")
+        tell(place.bytes("s.png") != first, f"{edited}: the picture is the older one")
+
+
 def fingerprints(place):
     """The same in the picture, in a part's heading and in --json, wherever and by however many threads."""
     def of(*words, at=place):
@@ -356,7 +380,8 @@ def names(place):
 
 
 FAULTS = {f.__name__: f for f in (prepared, killed, missing, truncated, other_picture, sizes, absent_include, clocks, unreadable, twice_at_once,
-                                  read_only, refused, frames, older_pictures, fingerprints, names)}
+                                  read_only, refused, frames, older_pictures, edited_while_read,
+                                  fingerprints, names)}
 
 
 def main():

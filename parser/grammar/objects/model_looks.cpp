@@ -81,7 +81,7 @@ std::string companion(MeshState& s, const std::string& path, const std::string& 
     const std::size_t slash = path.find_last_of('/');
     const std::string folder = slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
     std::string found = s.stream().find_file(folder + unix, {});
-    if (!found.empty()) s.stream().data_files().push_back(found);
+    if (!found.empty()) s.stream().read_files().data(found);
     return found;
 }
 

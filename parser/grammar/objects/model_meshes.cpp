@@ -114,7 +114,7 @@ void read_model_mesh(MeshState& s, Kind word)
     const std::string path =
         in.find_file(name, word == Kind::Obj ? std::vector<std::string>{".obj", ".OBJ"} : std::vector<std::string>{});
     if (path.empty()) in.fail(at, fmt::format("cannot find the mesh file '{}'", name));
-    in.data_files().push_back(path);
+    in.read_files().data(path);
     const bool listed = in.accept(Kind::TextureList);
     MaterialList list = listed ? read_materials(s) : MaterialList{};
     list.asked = listed && (word == Kind::Obj || !list.bare);

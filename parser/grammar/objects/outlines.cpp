@@ -26,7 +26,7 @@ struct font_of_text : taker<font_of_text>, always {
         if (found.empty()) {
             found = in.find_file(name, {".ttf", ".TTF"});
             if (found.empty()) in.fail(at, fmt::format("cannot find the font file '{}'", name));
-            in.data_files().push_back(found);
+            in.read_files().data(found);
         }
         s.solid.font = found;
         return true;

@@ -82,7 +82,7 @@ struct load_file : item<Kind::LoadFile, by_action<a_text>> {
         const std::string name = path_expr(s.stream());
         s.made.load_file = s.stream().find_file(name, {});
         if (s.made.load_file.empty()) s.stream().fail(at, fmt::format("cannot find the photon map '{}'", name));
-        s.stream().data_files().push_back(s.made.load_file);
+        s.stream().read_files().data(s.made.load_file);
     }
 };
 struct save_file : item<Kind::SaveFile, by_action<a_text>> {

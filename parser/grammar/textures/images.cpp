@@ -60,7 +60,7 @@ std::pair<scene::SourceRef, std::string> read_file_name(TokenStream& in, const s
         in.fail(at, fmt::format("the kind of the image '{}' cannot be told from its name", name));
     std::string path = in.find_file(name, extensions);
     if (path.empty()) in.fail(at, fmt::format("cannot find the {} file '{}'", what, name));
-    in.data_files().push_back(path);
+    in.read_files().data(path);
     return {at, path};
 }
 

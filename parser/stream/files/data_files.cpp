@@ -72,10 +72,11 @@ void TokenStream::open_data_file()
         const std::string path = find_file(file->path, {});
         const bool kept = !path.empty() && kept_files_.has(path);
         if (kept) file->text = kept_files_.read(path).value_or(std::string());
-        else if (std::error_code error; std::filesystem::is_regular_file(path, error))
+        else if (std::error_code error; std::filesystem::is_regular_file(path, error)) {
+            read_files_.data(path);
             file->in.reset(std::fopen(path.c_str(), "rb"));
+        }
         if (!kept && !file->in) fail(at, fmt::format("cannot open '{}' for reading{}", file->path, why_not_found()));
-        if (!kept) data_files_.push_back(path);
     } else if (way.kind == Kind::Write || way.kind == Kind::Append) {
         if (!may_write(options_, file->path))
             fail(at, fmt::format("a scene may not write to '{}': it lies outside of the current folder and the "
@@ -102,6 +103,7 @@ void TokenStream::open_data_file()
 void TokenStream::forget_text(const std::string& path)
 {
     included_.clear();  // the new file may be what a name means now
+    read_files_.written();
     std::error_code error;
     const auto written = std::filesystem::path(path).lexically_normal();
     std::erase_if(loaded_, [&](const auto& entry) {

@@ -71,6 +71,7 @@ std::uint16_t TokenStream::load(const std::string& path, std::string text, bool 
     if (files_.size() >= kMostFiles) throw Error({path, {}}, "too many files");
     if (whole.size() >= kMostBytes) throw Error({path, {}}, "this file is too long");
     const auto index = static_cast<std::uint16_t>(files_.size());
+    read_files_.text(whole);
     if (tokenize(whole, *source, index, names_, main_text)) language_.charset = Charset::Utf8;
     ++statistics_.files;
     statistics_.bytes += whole.size();

@@ -4,31 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <fstream>
+#include <vector>
 
 namespace app {
 
 namespace {
-
-std::uint64_t add_text(const std::string& text, std::uint64_t so_far)
-{
-    const std::uint64_t size = text.size();  // else zeros at the end would not count
-    return files::hash_of(text.data(), text.size(), files::hash_of(&size, sizeof size, so_far));
-}
-
-std::uint64_t add_file(const std::string& path, std::uint64_t so_far)
-{
-    std::ifstream in(path, std::ios::binary);
-    std::array<char, 1 << 16> some;  // whole words, but for the last
-    std::uint64_t size = 0;
-    while (in.read(some.data(), some.size()) || in.gcount() > 0) {
-        const auto count = static_cast<std::size_t>(in.gcount());
-        so_far = files::hash_of(some.data(), count, so_far);
-        size += count;
-    }
-    return files::hash_of(&size, sizeof size, so_far);
-}
 
 std::string curve_text(const image::TransferCurve& curve)
 {
@@ -69,12 +49,11 @@ std::string options_text(const PictureSource& source)
 
 std::uint64_t fingerprint_of(const PictureSource& source)
 {
-    std::uint64_t hash = add_text(options_text(source), files::hash_of(nullptr, 0));
-    if (source.typed) hash = add_text(*source.typed, hash);
-    for (const std::vector<std::string>* files : {&source.parsed.scene.files, &source.parsed.data_files})
-        for (const std::string& file : *files) hash = add_file(file, hash);
-    if (source.settings.radiosity_from_file) hash = add_file(source.settings.radiosity_file, hash);
-    return hash;
+    std::vector<std::uint64_t> hashes{files::hash_of_text(options_text(source))};
+    for (const std::vector<std::uint64_t>* read : {&source.parsed.text_hashes, &source.parsed.data_hashes})
+        hashes.insert(hashes.end(), read->begin(), read->end());
+    if (source.settings.radiosity_from_file) hashes.push_back(files::hash_of_file(source.settings.radiosity_file));
+    return files::hash_of(hashes.data(), hashes.size() * sizeof hashes.front());
 }
 
 std::string fingerprint_text(std::uint64_t fingerprint) { return fmt::format("{:016x}", fingerprint); }

@@ -5,7 +5,6 @@
 #include "render/plan/compiled_scene.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace app {
@@ -16,9 +15,8 @@ struct PictureSource {
     const parser::Options& reading;
     const plan::Options& planned;
     const image::FileSettings& file;
-    const parser::Result& parsed;             ///< its lists of files
-    const std::optional<std::string>& typed;  ///< the scene's text, if it came from standard input
-    const std::string& views;                 ///< cameras in the place of the scene's own; empty: none
+    const parser::Result& parsed;  ///< the hashes of what it read
+    const std::string& views;      ///< cameras in the place of the scene's own; empty: none
 };
 
 /// A number that differs, as good as surely, where two pictures may: of the options that change a pixel or its

@@ -7,6 +7,7 @@
 #include "render/app/parts/block_file.h"
 #include "render/app/layers/cost_report.h"
 #include "render/app/run/allocation.h"
+#include "render/app/run/exit_status.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
 #include "render/app/picture/picture_run.h"
@@ -123,7 +124,9 @@ Frame at_moment(const Run& run, const Frame& frame, int k)
 }
 
 /// A scene at a later moment: whatever it has to tell was told at the first.
-std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, const std::string& path)
+/// \param text_hash  of its text then
+std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, const std::string& path,
+                                                 std::uint64_t text_hash)
 {
     const Settings& settings = run.settings;
     parser::Options options = parser_options(settings, run.list, frame);
@@ -134,6 +137,8 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
     try {
         parser::Result parsed = run.input ? parser::parse_text(*run.input, "stdin", options)
                                           : parser::parse_file(find_scene(settings), options);
+        if (parsed.text_hashes.front() != text_hash)
+            throw TryAgain(fmt::format("{} was edited between two moments of one picture", parsed.scene.files.front()));
         return std::make_unique<plan::CompiledScene>(
             plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings)));
     } catch (const parser::Cancelled&) {
@@ -149,8 +154,7 @@ image::FileSettings fingerprinted(Run& run, const parser::Options& reading, cons
     image::FileSettings file = file_settings(run.settings, parsed.scene);
     file.carried = carried;
     const plan::Options planned = plan_options(run.settings);
-    file.fingerprint =
-        fingerprint_text(fingerprint_of({run.settings, reading, planned, file, parsed, run.input, views}));
+    file.fingerprint = fingerprint_text(fingerprint_of({run.settings, reading, planned, file, parsed, views}));
     run.reporter.made_from(file.fingerprint);
     return file;
 }
@@ -225,7 +229,9 @@ int render_frame(Run& run, const Frame& frame)
     for (const std::string& missing : plan::functions_without_number(parsed.scene)) run.reporter.note(missing);
     plan::CompiledScene compiled = plan::compile(std::move(parsed.scene), plan_options(settings), threads_of(settings));
     times.finish("plan");
-    const auto moment = [&](int k) { return compiled_at(run, at_moment(run, frame, k), path); };
+    const auto moment = [&](int k) {
+        return compiled_at(run, at_moment(run, frame, k), path, parsed.text_hashes.front());
+    };
     if (file)
         return render_picture({run, last_resort, compiled, *file, path, moment, moments(settings), layers}, times);
     const auto done = [&](const std::string& view, const std::string& fingerprint) {
