@@ -12,6 +12,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   # Linker and reader of profiles are those of the compiler's version: older ones do not know what it writes.
   string(REGEX MATCH "^[0-9]+" clang ${CMAKE_CXX_COMPILER_VERSION})
   set(WHITTLE_LLD -fuse-ld=lld-${clang})
+  if(NOT CMAKE_BUILD_TYPE STREQUAL Release)
+    add_link_options(${WHITTLE_LLD})  # 0.9 s in place of 4.1 for a program without optimisation
+  endif()
   find_program(WHITTLE_PROFDATA llvm-profdata-${clang})
   if(NOT WHITTLE_PROFDATA)
     message(WARNING "llvm-profdata-${clang} (Debian package llvm-${clang}) is missing: kernels are compiled without their profile")

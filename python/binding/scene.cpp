@@ -163,7 +163,7 @@ private:
         const app::SceneReading reading(settings_, job_.cancel);
         if (!request_.camera)
             file.fingerprint = app::fingerprint_text(app::fingerprint_of(
-                {settings_, reading.options, app::plan_options(settings_), file, read, source_.text(), {}}));
+                {settings_, reading.options, app::plan_options(settings_), file, read, {}}));
         return file;
     }
 
