@@ -15,16 +15,9 @@ import tempfile
 import time
 import zlib
 
-HEAD = """#version 3.7;
-global_settings { assumed_gamma 1 %s }
-camera { location <0, 1, -4> look_at 0 %s }
-light_source { <-5, 5, -5>, 1 %s }
-plane { y, -1 pigment { checker rgb 0.2 rgb 0.9 } finish { reflection 0.2 } }
-sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } %s }
-%s
-"""
+from place import HEAD, PLAIN, SIZE, Place, Trouble, says, tell
+
 GLASS = "photons { target refraction on reflection on } pigment { rgbt 0.9 } interior { ior 1.4 } hollow"
-PLAIN = HEAD % ("", "", "", "finish { reflection 0.4 }", "")
 AREA = HEAD % ("", "", "area_light x, y, 4, 4 jitter adaptive 1", "", "")
 BLUR = HEAD % ("", "aperture 0.4 focal_point 0 blur_samples 12 variance 1/64", "", "", "")
 RADIOSITY = HEAD % ("radiosity { pretrace_start 0.08 pretrace_end 0.02 count 20 recursion_limit 2 }", "", "", "", "")
@@ -58,47 +51,6 @@ CASES = {
     "strips": (PLAIN, 3, ["--memory=0.02", "+BS4"], ".png"),
     "clock": (PLAIN.replace("sphere { 0", "sphere { clock*x"), 3, ["+K0.5"], ".png"),
 }
-SIZE = ["+W96", "+H71", "+BS8", "+WT2"]
-
-
-class Trouble(Exception):
-    pass
-
-
-class Place:
-    """A folder with a scene, in which the program is called."""
-
-    def __init__(self, program, folder, scene=PLAIN, name="s"):
-        self.program, self.folder, self.name = program, pathlib.Path(folder), name
-        self.write(scene)
-
-    def write(self, scene):
-        (self.folder / f"{self.name}.pov").write_text(scene)
-
-    def call(self, *words, status=0):
-        done = subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True)
-        if done.returncode != status:
-            raise Trouble(f"{words}: status {done.returncode} in place of {status}\n{done.stdout}{done.stderr}")
-        return done.stdout + done.stderr
-
-    def render(self, *words, status=0):
-        return self.call(f"{self.name}.pov", *SIZE, *words, status=status)
-
-    def parts(self, number, *words):
-        """Renders them, the last one first, and gives their names."""
-        for i in range(number, 0, -1):
-            self.render(f"--shard={i}/{number}", *words)
-        return sorted(p.name for p in self.folder.glob(f"*-of-{number}.whittle-part"))
-
-    def bytes(self, name):
-        return (self.folder / name).read_bytes()
-
-
-def tell(condition, text):
-    if not condition:
-        raise Trouble(text)
-
-
 def joined_as_one_run(place, number, options, ending):
     place.render(*options)
     parts = place.parts(number, *options)
@@ -110,11 +62,6 @@ def joined_as_one_run(place, number, options, ending):
             tell(place.bytes("s" + end) == place.bytes("joined" + end), f"the bytes of joined{end} are others")
     left = [p.name for p in place.folder.iterdir() if ".part" in p.name or p.name.endswith("-state")]
     tell(not left, f"left behind: {left}")
-
-
-def says(text, *wanted):
-    for words in wanted:
-        tell(words in text, f"'{words}' is not in:\n{text}")
 
 
 def prepared(place):

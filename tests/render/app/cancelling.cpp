@@ -70,7 +70,7 @@ TEST_CASE("20 signals at random moments: the run ends at once, and +C goes on to
                    "background { rgb <0.2, 0.3, 0.4> }\nlight_source { <-5, 5, -5>, 1 area_light x*3, y*3, 2, 2 "
                    "}\nplane { y, -1 pigment { checker rgb 0.2 rgb 1 } finish { reflection 0.3 } }\n"
                    "sphere { 0, 1 pigment { rgb <1, 0.5, 0.25> } finish { reflection 0.5 } }\n");
-    const std::vector<std::string> words{"s.pov", "+W96", "+H72", "+BS8", "+A0.2", "+AM2", "+R9"};
+    const std::vector<std::string> words{"s.pov", "+W64", "+H48", "+BS8", "+A0.2", "+AM2", "+R9"};
     const auto with = [&](const char* more) {
         std::vector<std::string> all = words;
         all.emplace_back(more);

@@ -114,6 +114,8 @@ TEST_CASE("each output type makes a file of its kind and size", "[program][outpu
         CHECK(picture.height == 12);
         CHECK(picture.channels == row.channels);
         if (row.bits > 0) CHECK(picture.bits == row.bits);
+        const std::string type = row.type;
+        if (type != "+FN" && type != "+FP" && type != "+FB") continue;  // a writer of ours each, and the library's
         support::write_text(
             folder / "piped",
             run_program(folder.path(), WHITTLE_PROGRAM, {"s.pov", row.type, "+UA", "+W16", "+H12", "+O-"}).out);
