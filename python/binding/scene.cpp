@@ -162,8 +162,8 @@ private:
         image::FileSettings file = app::file_settings(settings_, read.scene);
         const app::SceneReading reading(settings_, job_.cancel);
         if (!request_.camera)
-            file.fingerprint = app::fingerprint_text(app::fingerprint_of(
-                {settings_, reading.options, app::plan_options(settings_), file, read, {}}));
+            file.fingerprint = app::fingerprint_text(
+                app::fingerprint_of({settings_, reading.options, app::plan_options(settings_), file, read, {}}));
         return file;
     }
 
