@@ -1,5 +1,5 @@
 // Operands that only some rays see: flags of operands of merges and of unions that stay whole count, those of
-// differences and intersections don't; no_shadow counts for none of them, unless all of a union have it.
+// differences and intersections don't, unless these are inverted; no_shadow counts for none of them, unless all of a union have it.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 5, -11> look_at <0, 0.3, 0> angle 44 }
@@ -36,3 +36,7 @@ union { sphere { 0, 0.5 pigment { Red } no_shadow } cylinder { 0, <0, 0.9, 0>, 0
 intersection { sphere { 0, 0.6 pigment { rgb 0.9 } } merge { box { -1, <1, 0.1, 0.1> pigment { Red } no_image } sphere { <0, 0.4, -0.2>, 0.3 pigment { Blue } no_image } inverse } translate <-1.3, -0.1, -4> }
 difference { sphere { 0, 0.6 pigment { rgb 0.9 } } union { box { -1, <1, 0.1, 0.1> pigment { Red } no_image } sphere { <0, 0.4, -0.2>, 0.3 pigment { Blue } } inverse } translate <1.3, -0.1, -4> }
 union { sphere { 0, 0.3 pigment { Clear } no_shadow } inverse translate <0, -0.4, -4.5> }
+
+// An inverted difference or intersection: a merge.
+difference { sphere { 0, 0.6 pigment { Red } no_image } sphere { <0.4, 0.25, -0.25>, 0.4 pigment { Blue } } inverse translate <-2.6, 2.2, 0> }
+intersection { sphere { 0, 0.6 pigment { Red } no_reflection } sphere { <0.4, 0.25, -0.25>, 0.4 pigment { Blue } } inverse translate <2.6, 2.2, 0> }

@@ -303,7 +303,7 @@ csg::Tree GeometryCompiler::csg_tree(const scene::Csg& csg, const Inherited& own
         if (cutaway && made.operands.empty() && csg.op == scene::CsgOp::Difference && plain && !mine.texture)
             return cut_parts(csg, *parts, operand, own, mine);
         made.operands.push_back(bounded(tree(operand, mine), operand, mine));
-        made.operands.back().hidden_from = hidden_from({mine.no_image, mine.no_reflection, mine.no_radiosity}, csg.op);
+        made.operands.back().hidden_from = hidden_from({mine.no_image, mine.no_reflection, mine.no_radiosity});
         if (cutaway && made.operands.size() == 1) later.texture = cut_texture(operand, mine);
     }
     return made;

@@ -11,11 +11,13 @@ namespace {
 constexpr RayKind kKinds[] = {RayKind::Image,  RayKind::Reflection,     RayKind::Shadow,
                               RayKind::Photon, RayKind::MirroredPhoton, RayKind::Gather};
 
-/// Kinds that go past an operand of this tree. What is inverted became an intersection, whose operands hide nothing,
-/// and what is inverted twice a merge. A union hides from no camera ray.
+bool unites(const csg::Tree& tree) { return tree.op == csg::Tree::Op::Union || tree.op == csg::Tree::Op::Merge; }
+
+/// Kinds that go past an operand of this tree. The operands of an intersection hide nothing. What is inverted became
+/// one if it unites and else a merge, and what is inverted twice a merge. A union hides from no camera ray.
 std::uint8_t hidden(const csg::Tree& tree, const csg::Tree& operand, bool inverted)
 {
-    if (inverted != tree.inverse) return 0;
+    if (unites(tree) != (inverted == tree.inverse)) return 0;
     const bool is_union = tree.op == csg::Tree::Op::Union && !inverted;
     return static_cast<std::uint8_t>(operand.hidden_from & (is_union ? ~bit(RayKind::Image) : ~0));
 }
@@ -52,19 +54,30 @@ csg::Tree turned(const csg::Tree& whole, const csg::Tree& operand, csg::Tree as)
     return as;
 }
 
+/// An inverted intersection, which became a merge. What its operands hold shows in full.
+std::optional<csg::Tree> seen_of_turned(const csg::Tree& tree, std::uint8_t kind, bool inverted)
+{
+    csg::Tree out = tree;
+    out.op = csg::Tree::Op::Intersection;
+    out.operands.clear();
+    for (const csg::Tree& operand : tree.operands)
+        if ((hidden(tree, operand, inverted) & kind) == 0) out.operands.push_back(turned(tree, operand, operand));
+    if (out.operands.empty()) return std::nullopt;
+    return out;
+}
+
 std::optional<csg::Tree> seen(const csg::Tree& tree, std::uint8_t kind, bool inverted)
 {
-    const bool unites = tree.op == csg::Tree::Op::Union || tree.op == csg::Tree::Op::Merge;
-    const bool turned_union = !unites && inverted != tree.inverse;  // twice inverted operands show in full
-    if (turned_union || !hides(tree, kind, inverted)) return tree;
+    if (!hides(tree, kind, inverted)) return tree;
+    if (!unites(tree) && inverted != tree.inverse) return seen_of_turned(tree, kind, inverted);
     csg::Tree out = tree;
     out.operands.clear();
-    if (!unites) out.op = csg::Tree::Op::Union;
+    if (!unites(tree)) out.op = csg::Tree::Op::Union;
     for (const csg::Tree& operand : tree.operands) {
         if ((hidden(tree, operand, inverted) & kind) != 0) continue;
         std::optional<csg::Tree> one = seen(operand, kind, inverts(tree, operand, inverted));
         if (!one) continue;
-        if (!unites) {
+        if (!unites(tree)) {
             one = turned(tree, operand, std::move(*one));
             for (const csg::Tree& other : tree.operands)
                 if (&other != &operand) one->clips.push_back(turned(tree, other, other));
@@ -88,9 +101,8 @@ bool shadowless(const scene::Object& object)
                        [](const scene::Object& one) { return scene::is_light(one) || shadowless(one); });
 }
 
-std::uint8_t hidden_from(const HidingFlags& flags, scene::CsgOp in)
+std::uint8_t hidden_from(const HidingFlags& flags)
 {
-    if (in != scene::CsgOp::Union && in != scene::CsgOp::Merge) return 0;
     unsigned kinds = 0;
     if (flags.no_image) kinds |= bit(RayKind::Image);
     if (flags.no_reflection) kinds |= bit(RayKind::Reflection) | bit(RayKind::MirroredPhoton);

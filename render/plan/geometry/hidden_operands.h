@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// Operands of unions and merges that some kinds of rays go past, though they see the object (spec 3, 14; 5a, 10.2).
+/// Operands of unions, merges and inverted intersections that some kinds of rays go past, though they see the object (spec 3, 14; 5a, 10.2).
 namespace plan {
 
 /// An object without shadow has a flag of its own or is a union, not inverted, of nothing but operands without shadow.
@@ -18,9 +18,8 @@ struct HidingFlags {
     bool no_image, no_reflection, no_radiosity;
 };
 
-/// Kinds of rays (bit(RayKind)) that go past an operand of a merge because of its flags; none of one of a difference or
-/// intersection. `no_shadow` doesn't count.
-std::uint8_t hidden_from(const HidingFlags& flags, scene::CsgOp in);
+/// Kinds of rays (bit(RayKind)) that go past an operand of a merge because of its flags. `no_shadow` doesn't count.
+std::uint8_t hidden_from(const HidingFlags& flags);
 
 /// Kinds of rays that see the same of a tree, in groups that make up all kinds; one group where nothing is hidden.
 std::vector<std::uint8_t> views_of(const csg::Tree& tree);
