@@ -209,7 +209,8 @@ struct Object {
     /// after inheritance from parents gets it.
     std::uint32_t default_texture = kNoDefault;
     Flags flags;
-    bool inverse = false;
+    bool inverse : 1 = false;
+    bool forgets_inverse : 1 = false;  ///< itself or an operand, wherever it is moved (SolidParameters that do)
 
     static constexpr std::uint32_t kNoDefault = 0xffffffffu;
 

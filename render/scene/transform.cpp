@@ -1,3 +1,4 @@
+#include "render/scene/inside.h"
 #include "render/scene/media.h"
 #include "render/scene/object.h"
 
@@ -142,6 +143,7 @@ void Interior::transform(const csg::Transform& t)
 
 void Object::transform_by(const csg::Transform& t, const BoxGrowth& growth)
 {
+    if (forgets_inverse) forget_inverse(*this);
     const bool grows = growth.edges != glm::dmat3(1.0);
     const bool clipped = !details->clipped_by.empty();
     if (auto* quadric = std::get_if<Shared<Quadric>>(&shape)) {

@@ -166,6 +166,7 @@ scene::Object read_light(SceneBuilder& build, const scene::SourceRef& source);
 void read_written(SceneBuilder& build, Kind keyword, scene::Object& object);
 bool is_written(Kind keyword);
 using scene::has_inside;
+using scene::some_forget_inverse;
 using scene::is_patch;
 /// Modifiers of any object until something else stands there.
 void read_modifiers(SceneBuilder& build, scene::Object& object);

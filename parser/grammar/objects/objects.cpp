@@ -140,6 +140,7 @@ scene::Object read_light_group(SceneBuilder& build, const scene::SourceRef& sour
         const bool inside = std::all_of(members->begin(), members->end(), has_inside);
         object.shape =
             scene::Csg{scene::CsgOp::Union, std::move(members), true, false, true, global_lights, inside, {}};
+        object.forgets_inverse = some_forget_inverse(object);
     }
     build.close_block("light_group", opened);
     return object;
@@ -161,7 +162,10 @@ void read_written(SceneBuilder& build, Kind keyword, scene::Object& object)
         read_modifiers(build, object);
         object.flags.unclipped_box = keyword == Kind::Blob || keyword == Kind::JuliaFractal ||
                                      keyword == Kind::HeightField;
-        if (forgets_inverse(object) && build.stream().povray() == scene::PovRay::V37) object.inverse = false;
+        if (forgets_inverse(object) && build.stream().povray() == scene::PovRay::V37) {
+            object.inverse = false;
+            object.forgets_inverse = true;
+        }
     }
     build.close_block(name, opened);
 }
@@ -196,6 +200,7 @@ void read_csg(SceneBuilder& build, Kind keyword, scene::Object& object)
             in.warn_when_closed(source, std::string(name) + " should have at least two objects");
         object.shape =
             scene::Csg{*csg_op(keyword), operands.objects.take(), true, false, false, false, operands.all_inside, {}};
+        object.forgets_inverse = some_forget_inverse(object);
     }
     read_modifiers(build, object);
     build.close_block(name, opened);

@@ -78,6 +78,7 @@ bool ObjectRecipe::make_operands(const Making& m, scene::Object& object) const
         all_inside = all_inside && inside;
     }
     object.shape = scene::Csg{*csg_op(keyword), all, true, false, false, false, all_inside, {}};
+    object.forgets_inverse = some_forget_inverse(object);
     return true;
 }
 

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-/// Operands of unions, merges and inverted intersections that some kinds of rays go past, though they see the object (spec 3, 14; 5a, 10.2).
+/// Operands of unions, merges and inverted intersections that some kinds of rays go past, though they see the object
+/// (spec 3, 14; 5a, 10.2).
 namespace plan {
 
 /// An object without shadow has a flag of its own or is a union, not inverted, of nothing but operands without shadow.

@@ -10,7 +10,8 @@ namespace scene {
 /// A slice of a four-dimensional Julia set (reference manual: Julia Fractal).
 struct JuliaFractal {
     static constexpr std::string_view kKeywords[] = {"julia_fractal"};
-    static constexpr bool kForgetsInverse = true;  ///< at the end of its block (spec 5b, 12.4)
+    static constexpr bool kForgetsInverse =
+        true;  ///< in 3.7 at the end of its block and wherever it is moved (spec 5b, 12.4)
 
     enum class Function : std::uint8_t {
         Sqr,
