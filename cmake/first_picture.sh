@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # Sourced by ./run where nothing is compiled yet. Optimisation is most of a compiler's time and a first picture is small, so a
-# program without it (preset `quick`: the same bytes, a hundred times as slow) draws before the fast one is compiled. A picture
-# that takes a minute or more is raced by the compiler, so that nobody waits for a slow program's slow scene.
+# program without it draws before the fast one is compiled: preset `quick`, the same bytes, a hundred times as slow; no cache
+# keeps it, which would take its time too. A picture that takes a minute or more is raced by the compiler, so that nobody waits
+# for a slow program's slow scene.
 
 # first_picture SCENE OPTION...: ends the script with the picture's status, or returns where the fast program,
 # which then continues the picture, is there before it.
