@@ -30,7 +30,7 @@ Result parse(const Options& options, MessageSink sink, void* context, Open&& ope
     result.statistics = stream.statistics();
     constexpr std::size_t kToldCosts = 10;
     result.statistics.costs = stream.reading_costs(kToldCosts);
-    const ReadFiles& read = stream.read_files();
+    const files::ReadFiles& read = stream.read_files();
     result.data_files = read.data_files();
     result.text_hashes = read.text_hashes();
     result.data_hashes = read.data_hashes();

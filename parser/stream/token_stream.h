@@ -4,12 +4,12 @@
 #include "parser/base/reading.h"
 #include "parser/stream/hooks.h"
 #include "parser/stream/kept_files.h"
-#include "parser/stream/read_files.h"
 #include "parser/stream/language_state.h"
 #include "parser/stream/reading_profile.h"
 #include "parser/stream/reading_state.h"
 #include "parser/stream/values/random_undo.h"
 #include "parser/stream/values/symbols.h"
+#include "render/files/read_files.h"
 
 #include <memory>
 #include <optional>
@@ -155,7 +155,7 @@ public:
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
     std::vector<ReadingCost> reading_costs(std::size_t most);  ///< up to now
-    ReadFiles& read_files() { return read_files_; }
+    files::ReadFiles& read_files() { return read_files_; }
 
     /// Full path of a file by the rules of `#include` (current folder, library path, scene's folder, the including
     /// file's folder); empty if there is none. `extensions` are tried as the manual says, e.g. {".inc", ".INC"}.
@@ -420,7 +420,7 @@ private:
     ReadingProfile profile_;
     std::vector<ReadingProfile::Place> open_places_;  ///< of spend_time()
     double told_reading_ = 0.0;  ///< seconds of reading when Options::still_reading was last called
-    ReadFiles read_files_;
+    files::ReadFiles read_files_;
     KeptFiles kept_files_;
 };
 

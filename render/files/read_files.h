@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace parser {
+namespace files {
 
 /// What a scene is made from: the files that it read, and what stood in them then, by their hashes. A file that is
 /// edited later is another one, however soon that is.
@@ -28,4 +28,4 @@ private:
     std::unordered_map<std::string, std::uint64_t> hash_of_;
 };
 
-}  // namespace parser
+}  // namespace files
