@@ -64,6 +64,6 @@ build_arm64() {
     [[ -e $arm64_root/whole ]] || fetch_arm64_root
     [[ -f $arm64/build.ninja ]] ||
         cmake -G Ninja -S "$root" -B "$arm64" -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake -DWHITTLE_SYSROOT="$arm64_root" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-            -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -DNDEBUG -w" -DCMAKE_CXX_COMPILER_LAUNCHER="env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache" >&2
+            -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -DNDEBUG -w" -DCMAKE_CXX_COMPILER_LAUNCHER="env;CCACHE_DEPEND=1;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache" >&2
     ninja -C "$arm64" --quiet "$@" >&2
 }
