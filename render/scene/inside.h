@@ -12,8 +12,8 @@ bool has_inside(const Object& object);
 
 /// Whether an operand of this CSG has forgets_inverse.
 bool some_forget_inverse(const Object& object);
-/// What a transformation does to those within that forget it: held by an inverted object or subtracted, they are what
-/// they were before, until they are inverted again.
+/// Before an object is transformed: those within that forget it are as if nothing had inverted them so far, by an
+/// object that holds them or a difference that subtracts them.
 void forget_inverse(Object& object);
 
 }  // namespace scene

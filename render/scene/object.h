@@ -210,7 +210,7 @@ struct Object {
     std::uint32_t default_texture = kNoDefault;
     Flags flags;
     bool inverse : 1 = false;
-    bool forgets_inverse : 1 = false;  ///< itself or an operand, wherever it is moved (SolidParameters that do)
+    bool forgets_inverse : 1 = false;  ///< wherever it is moved: a julia fractal of 3.7, or what holds one
 
     static constexpr std::uint32_t kNoDefault = 0xffffffffu;
 

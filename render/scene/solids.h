@@ -41,7 +41,7 @@ concept TakesSturm = T::kTakesSturm;  ///< `sturm` may stand among the modifiers
 template <class T>
 concept TakesHierarchy = T::kTakesHierarchy;  ///< `hierarchy` may
 template <class T>
-concept ForgetsInverse = T::kForgetsInverse;  ///< `inverse` in its own block has no effect
+concept ForgetsInverse = T::kForgetsInverse;  ///< that it is inverted, at the end of its block and where it is moved
 
 /// A variant of what meets the concept: the compiler names the solid that does not.
 template <SolidParameters... Solids>
