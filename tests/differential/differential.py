@@ -8,8 +8,9 @@ usage: differential.py run [CLASS...] [--seeds A-B]     both programs render sce
        differential.py check [CLASS...]                 Whittle against what was recorded; needs no POV-Ray
 
 A picture agrees when at least 99 % of its pixels are within 3/255 in every channel; what a scene prints has to be the same
-text. `run` leaves the scenes that differ, with both pictures, in --folder. The exit status is 1 when fewer than --share of
-the scenes agree. See README.md.
+text. A picture that differs agrees too where enough of its pixels do once POV-Ray draws each of them alone (alone.py). `run`
+leaves the scenes that differ, with both pictures, in --folder. The exit status is 1 when fewer than --share of the scenes
+agree. See README.md.
 """
 import argparse
 import collections
@@ -19,6 +20,7 @@ import pathlib
 import sys
 import tempfile
 
+import alone
 import noisy
 import programs
 import recorded
@@ -40,6 +42,8 @@ def compare_one(options, folder, kind, seed):
     ours = programs.render(whittle, folder, name, (80, 60), "whittle")
     theirs = programs.render(povray, folder, name, (80, 60), "povray")
     state, detail = programs.verdict(ours, theirs)
+    if state == "differ" and programs.same_text(ours, theirs):
+        state, detail = alone.verdict(ours, povray, folder, name, (80, 60), theirs)
     if state == "agree" and not options.keep:
         for left in folder.glob(f"{name}.*"):
             left.unlink()
@@ -62,8 +66,10 @@ def run(options):
     enough = True
     for kind, states in counts.items():
         asked = sum(states.values()) - states["refused"]
-        enough = enough and states["agree"] >= options.share * asked
-        print(f"{kind}: {states['agree']} of {asked} agree"
+        agreeing = states["agree"] + states["alone"]
+        enough = enough and agreeing >= options.share * asked
+        print(f"{kind}: {agreeing} of {asked} agree"
+              + (f", {states['alone']} of them where POV-Ray draws a pixel alone" if states["alone"] else "")
               + (f"; {states['refused']} refused by both" if states["refused"] else ""))
     return 0 if enough else 1
 

@@ -40,17 +40,23 @@ def render(program, folder, scene, size, tag):
     return Result(png.read(folder / picture)[2], "", text)
 
 
+def alike(ours, theirs, x):
+    """Whether the pixel whose channels begin at x differs by at most TOLERANCE in each, in two rows."""
+    return all(abs(ours[x + i] - theirs[x + i]) <= TOLERANCE for i in range(3))
+
+
 def agreement(ours, theirs):
-    """The share of pixels that differ by at most TOLERANCE in every channel."""
+    """The share of pixels that are alike."""
     agreeing = pixels = 0
     for a, b in zip(ours, theirs):
-        if a == b:
-            agreeing += len(a) // 3
-        else:
-            agreeing += sum(abs(a[i] - b[i]) <= TOLERANCE and abs(a[i + 1] - b[i + 1]) <= TOLERANCE
-                            and abs(a[i + 2] - b[i + 2]) <= TOLERANCE for i in range(0, len(a), 3))
+        agreeing += len(a) // 3 if a == b else sum(alike(a, b, x) for x in range(0, len(a), 3))
         pixels += len(a) // 3
     return agreeing / pixels
+
+
+def same_text(ours, theirs):
+    """Whether both printed the same; POV-Ray breaks what it prints at 80 columns, so white space is not compared."""
+    return "".join(ours.printed.split()) == "".join(theirs.printed.split())
 
 
 def verdict(ours, theirs):
@@ -63,8 +69,7 @@ def verdict(ours, theirs):
         return ("fault" if crashed else "refused"), f"whittle: {ours.error} | povray: {theirs.error}"
     if ours.error or theirs.error:
         return "fault", f"whittle: {ours.error or 'renders it'} | povray: {theirs.error or 'renders it'}"
-    # POV-Ray breaks what it prints at 80 columns, so white space is not compared.
-    if "".join(ours.printed.split()) != "".join(theirs.printed.split()):
+    if not same_text(ours, theirs):
         pairs = zip(ours.printed.splitlines() + [""], theirs.printed.splitlines() + [""])
         first = next((pair for pair in pairs if pair[0] != pair[1]), ("", ""))
         return "differ", f"prints '{first[0]}', povray '{first[1]}'"
