@@ -108,10 +108,11 @@ void item_chords(const WorldData& world, const WorldItem& item, const Ray& ray, 
             solid.spans(ray, item.inverted, spans);
             stamped(spans);
         } else {
-            // Kept: to clear room for the spans of an isosurface costs as much as many a line through one.
+            // Kept: to clear room for the spans of an isosurface costs as much as many a line through one. Not as
+            // arrays, which every thread would get when it begins, 35 KB of them.
             constexpr std::uint32_t kMost = std::max(most_plain_spans<T>(), kFewSpans);
-            thread_local Span memory[kMost], other[kMost + 1];
-            SpanList spans(memory, kMost), beyond(other, kMost + 1);
+            thread_local std::vector<Span> memory(kMost), other(kMost + 1);
+            SpanList spans(memory.data(), kMost), beyond(other.data(), kMost + 1);
             if constexpr (std::is_same_v<T, Freeform>) {
                 if (solid.surface()) return;
                 solid.spans(ray, from, to, spans);

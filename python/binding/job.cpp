@@ -1,6 +1,7 @@
 #include "python/binding/job.h"
 
 #include "render/app/run/stacks.h"
+#include "render/solid/measure/workers.h"
 
 #include <pybind11/pybind11.h>
 
@@ -20,6 +21,7 @@ constexpr auto kPatience = std::chrono::milliseconds(300);  // with work that wa
 void wait_for(const std::shared_ptr<Job>& job, std::function<void()> work)
 {
     app::start_on_deep_stack([job, work = std::move(work)]() mutable {
+        solid::deepen_workers();
         std::exception_ptr failed;
         try {
             work();

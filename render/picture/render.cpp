@@ -26,18 +26,6 @@ void store(const Block& block, const std::vector<scene::Color>& colors, image::I
 
 }  // namespace
 
-void prepare(Isa isa, int threads)
-{
-    load_kernel(isa);
-    const int count = threads_of(threads);
-    // As long as the program runs: TBB takes its number of workers from what is allowed when the first of them starts,
-    // and complains in words of its own of a later wish for more.
-    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                             static_cast<std::size_t>(count));
-    tbb::task_arena arena(count);
-    arena.execute([count] { tbb::parallel_for(0, 4 * count, [](int) {}); });
-}
-
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image)
 {
     const KernelTable& kernel = load_kernel(options.isa);

@@ -72,10 +72,6 @@ struct RenderStatistics {
 /// the kernel module for the asked instruction set is missing or the processor cannot run it.
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
 
-/// Loads the kernel module and starts the threads ahead of time. The loader serves one at a time: call this before
-/// anything else loads libraries in the background, or the first tile waits for it. Throws as render() does.
-void prepare(Isa isa, int threads);
-
 /// What the processor can run, best last.
 std::string best_isa();
 

@@ -82,7 +82,7 @@ Study::Rendered Study::render(const Trial& trial) const
         trace::SamplingGoal goal = trial.goal;
         if (goal.seconds > 0.0) goal.seconds = std::max(goal.seconds - since(start), 1e-3);
         out.statistics = trace::render_sampled(compiled, render, goal, level(), samples, {}, seen);
-        if (features) trace::denoise(samples, *features, picture);
+        if (features) trace::denoise(samples, *features, render.threads, picture);
         else samples.show(picture);
         samples.fill(picture, compiled.options);
     } else {

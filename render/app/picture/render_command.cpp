@@ -3,7 +3,6 @@
 #include "render/app/options/effective_ini.h"
 #include "render/app/output/output_name.h"
 #include "render/app/picture/frame_render.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/memory.h"
 #include "render/app/report/journal.h"
 #include "render/app/report/progress_lines.h"
@@ -13,6 +12,7 @@
 #include "render/app/run/written_journal.h"
 #include "render/app/views/views.h"
 #include "render/files/whole_file.h"
+#include "render/picture/kernel_module.h"
 
 #include <fmt/format.h>
 
@@ -89,7 +89,7 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
         Run run{settings, frames_of(settings), {}, streams, reporter, cancel, remains, {}};
         if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
-        if (traces) trace::prepare(isa_of(settings), threads_for(settings.threads));
+        if (traces) trace::load_kernel(isa_of(settings));
         if (traces && settings.output_to_file && settings.shards == 0) run.files.prepare(settings.file_type);
         return render_all(run);
     } catch (const std::exception& error) {

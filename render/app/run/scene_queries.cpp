@@ -5,8 +5,7 @@
 #include "render/kernel/kernel.h"
 #include "render/picture/kernel_module.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include <algorithm>
 
 namespace app {
 namespace {
@@ -81,12 +80,10 @@ void SceneQueries::evaluate(const function::FunctionPtr& called, std::span<const
 {
     constexpr std::size_t kRun = 256;  // a granite takes microseconds
     const plan::FunctionProbe& probe = function_probe(called, so_far);
-    tbb::task_arena arena(threads_ > 0 ? threads_ : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kRun), [&](const auto& run) {
-            if (cancel_) throw parser::Cancelled();
-            probe.evaluate(points.subspan(run.begin(), run.size()), values.subspan(run.begin(), run.size()));
-        });
+    threads_.each(0, (points.size() + kRun - 1) / kRun, [&](std::size_t run, int) {
+        if (cancel_) throw parser::Cancelled();
+        const std::size_t first = run * kRun, count = std::min(kRun, points.size() - first);
+        probe.evaluate(points.subspan(first, count), values.subspan(first, count));
     });
 }
 

@@ -4,6 +4,7 @@
 #include "render/plan/geometry/extent.h"
 #include "render/plan/probe.h"
 #include "render/picture/render.h"
+#include "render/picture/threads.h"
 
 #include <atomic>
 #include <unordered_map>
@@ -17,7 +18,7 @@ public:
     /// \param cancel  when set, many questions end with parser::Cancelled
     /// \param isa  of the kernel that evaluates functions
     SceneQueries(int threads, const std::atomic<bool>& cancel, trace::Isa isa)
-        : threads_(threads), cancel_(cancel), isa_(isa)
+        : threads_(trace::threads_of(threads)), cancel_(cancel), isa_(isa)
     {}
     parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
                             const scene::Description& so_far) override;
@@ -33,7 +34,7 @@ private:
     const plan::FunctionProbe& function_probe(const function::FunctionPtr& called, const scene::Description& so_far);
     plan::ObjectProbe& probe(const ObjectPtr& object, const scene::Description& so_far);
     void follow(const scene::Description& so_far);  ///< forgets what was made with another noise generator
-    int threads_;
+    trace::Threads threads_;
     const std::atomic<bool>& cancel_;
     trace::Isa isa_;
     std::unordered_map<ObjectPtr, std::unique_ptr<plan::ObjectProbe>> objects_;

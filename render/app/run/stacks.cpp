@@ -1,6 +1,6 @@
 #include "render/app/run/stacks.h"
 
-#include <tbb/global_control.h>
+#include "render/plan/rendering_stack.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,14 +25,8 @@ std::size_t deep_stack()
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kDeep;
     return std::min<std::size_t>(kDeep, limit.rlim_cur / kShare / (std::thread::hardware_concurrency() + 1));
 }
-
-void deepen_workers(std::size_t stack)
-{
-    static const tbb::global_control workers(tbb::global_control::thread_stack_size, stack);
-}
 #else
 std::size_t deep_stack() { return kUsual; }
-void deepen_workers(std::size_t) {}
 #endif
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
@@ -68,7 +62,7 @@ void deepen_stacks()
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) grow_first_stack();
     const std::size_t other = deep_stack();
     if (other <= kUsual) return;
-    deepen_workers(other);
+    plan::rendering_stack() = other;
     pthread_attr_t others;
     if (pthread_getattr_default_np(&others) != 0) return;
     if (pthread_attr_setstacksize(&others, other) == 0) pthread_setattr_default_np(&others);
@@ -79,7 +73,7 @@ void deepen_stacks()
 void start_on_deep_stack(std::function<void()> work)
 {
     const std::size_t stack = deep_stack();
-    if (stack > kUsual) deepen_workers(stack);
+    if (stack > kUsual) plan::rendering_stack() = stack;
     auto owned = std::make_unique<std::function<void()>>(std::move(work));
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);

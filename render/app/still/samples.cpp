@@ -74,7 +74,7 @@ trace::RenderStatistics draw_samples(const SampledTask& task, image::Image& pict
                               "give: they count as black",
                               statistics.broken, statistics.samples));
     if (features) {
-        trace::denoise(samples, *features, picture);
+        trace::denoise(samples, *features, task.options().threads, picture);
         samples.fill(picture, task.scene.options);
     }
     return statistics;

@@ -16,6 +16,7 @@
 #include "render/app/study/povray_runs.h"
 #include "render/image/picture_writer.h"
 #include "render/study/page.h"
+#include "render/picture/kernel_module.h"
 
 #include <fmt/format.h>
 #include <sys/utsname.h>
@@ -314,7 +315,7 @@ int report_command(const std::vector<std::string>& arguments, Cancellation& canc
 {
     const Request request = request_of(arguments);
     check_place(request.out);
-    trace::prepare(isa_of(request.settings), threads_for(request.settings.threads));
+    trace::load_kernel(isa_of(request.settings));
     cancel.heeded = true;
     return Reporter(request, cancel).run();
 }

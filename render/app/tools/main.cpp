@@ -14,6 +14,7 @@
 #include "render/app/solid/mesh_command.h"
 #include "render/app/study/report_command.h"
 #include "render/app/watch/watch_command.h"
+#include "render/solid/measure/workers.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ static_assert(kCalled.size() + 1 == app::kSubCommands.size(), "but for compare, 
 int run(const app::Words& arguments, app::Settings&, app::Remains&)
 {
     app::deepen_stacks();
+    solid::deepen_workers();  // solids are asked by TBB's own loops
     for (const app::Called& command : kCalled)
         if (!arguments.empty() && command.name == arguments[0]) return app::call(command, arguments);
     throw app::OptionError("this is a part of whittle and called by it");

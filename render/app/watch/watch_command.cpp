@@ -3,7 +3,6 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_file.h"
@@ -11,6 +10,7 @@
 #include "render/app/study/povray_runs.h"
 #include "render/app/watch/session.h"
 #include "render/app/watch/web_module.h"
+#include "render/picture/kernel_module.h"
 
 #include <fmt/format.h>
 #include <sys/random.h>
@@ -103,7 +103,7 @@ std::string watch_help() { return kWatchUsage; }
 int watch_command(const std::vector<std::string>& arguments, Cancellation& cancel)
 {
     const WatchRequest request = watch_request_of(arguments);
-    trace::prepare(isa_of(request.settings), threads_for(request.settings.threads));
+    trace::load_kernel(isa_of(request.settings));
     cancel.heeded = true;
     const bool installed = PovrayRuns(request.povray).found();
     Session session(request.settings, request.reference, installed ? request.povray : "");

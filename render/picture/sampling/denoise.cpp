@@ -1,7 +1,7 @@
 #include "render/picture/sampling/denoise.h"
-#include "numbers/functions/functions.h"
 
-#include <tbb/parallel_for.h>
+#include "numbers/functions/functions.h"
+#include "render/picture/threads.h"
 
 #include <algorithm>
 #include <array>
@@ -44,12 +44,12 @@ class Filter {
     template <class F>
     void rows(F&& f) const
     {
-        tbb::parallel_for(0, height_, [&](int y) { f(y); });
+        threads_.each(0, static_cast<std::size_t>(height_), [&](std::size_t y, int) { f(static_cast<int>(y)); });
     }
 
 public:
-    Filter(const SampledPicture& samples, const PathFeatures& features)
-        : width_(samples.width()), height_(samples.height()),
+    Filter(const SampledPicture& samples, const PathFeatures& features, int threads)
+        : threads_(threads_of(threads)), width_(samples.width()), height_(samples.height()),
           places_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_))
     {
         rows([&](int y) {
@@ -211,16 +211,17 @@ private:
         out.variance = variance / (weights * weights);
     }
 
+    mutable Threads threads_;
     int width_, height_;
     std::vector<Place> places_;
 };
 
 }  // namespace
 
-void denoise(const SampledPicture& samples, const PathFeatures& features, image::Image& image)
+void denoise(const SampledPicture& samples, const PathFeatures& features, int threads, image::Image& image)
 {
     samples.show(image);
-    Filter filter(samples, features);
+    Filter filter(samples, features, threads);
     filter.run();
     filter.show(image);
 }

@@ -40,7 +40,7 @@ private:
 };
 
 /// Writes filtered means of the samples into `image`, as SampledPicture::show() writes plain ones:
-/// docs/path_tracing.md. The same for any number of threads.
-void denoise(const SampledPicture& samples, const PathFeatures& features, image::Image& image);
+/// docs/path_tracing.md. threads: 0 for all cores; the same for any number.
+void denoise(const SampledPicture& samples, const PathFeatures& features, int threads, image::Image& image);
 
 }  // namespace trace

@@ -1,10 +1,9 @@
 #include "render/picture/sampling/find_sources.h"
 
 #include "numbers/functions/functions.h"
+#include "render/picture/threads.h"
 #include "render/texture/evaluate.h"
 #include "render/texture/finish.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -241,18 +240,19 @@ std::size_t columns_for(const plan::CompiledScene& scene)
 }
 
 /// Each cell as bright as the brightest of its middle and its corners, so that little is missed that lies between.
-std::vector<float> sky_cells(const plan::CompiledScene& scene, std::size_t columns, std::size_t rows)
+std::vector<float> sky_cells(const plan::CompiledScene& scene, std::size_t columns, std::size_t rows,
+                             trace::Threads& threads)
 {
     const auto at = [&](double x, double y) {
         return sky_brightness(scene,
                               SkyTable::direction(x / static_cast<double>(columns), y / static_cast<double>(rows)));
     };
     std::vector<float> corners(columns * (rows + 1)), cells(columns * rows);
-    tbb::parallel_for(std::size_t{0}, rows + 1, [&](std::size_t y) {
+    threads.each(0, rows + 1, [&](std::size_t y, int) {
         for (std::size_t x = 0; x < columns; ++x)
             corners[y * columns + x] = at(static_cast<double>(x), static_cast<double>(y));
     });
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t y) {
+    threads.each(0, rows, [&](std::size_t y, int) {
         for (std::size_t x = 0; x < columns; ++x) {
             const std::size_t next = (x + 1) % columns;
             cells[y * columns + x] = std::max({at(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5),
@@ -263,11 +263,12 @@ std::vector<float> sky_cells(const plan::CompiledScene& scene, std::size_t colum
     return cells;
 }
 
-std::unique_ptr<const SkyTable> find_sky(const plan::CompiledScene& scene)
+std::unique_ptr<const SkyTable> find_sky(const plan::CompiledScene& scene, int threads)
 {
     if (scene.sky.layers.empty()) return nullptr;  // light from everywhere alike needs no aim
     const std::size_t columns = columns_for(scene), rows = columns / 2;
-    std::vector<float> cells = sky_cells(scene, columns, rows);
+    trace::Threads sharing(threads);
+    std::vector<float> cells = sky_cells(scene, columns, rows, sharing);
     double sum = 0.0, all = 0.0;
     float most = 0.0f;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -285,11 +286,11 @@ std::unique_ptr<const SkyTable> find_sky(const plan::CompiledScene& scene)
 
 }  // namespace
 
-Sources find_sources(const plan::CompiledScene& scene)
+Sources find_sources(const plan::CompiledScene& scene, int threads)
 {
     Sources out;
     find_emitters(scene, out.emitters);
-    out.sky = find_sky(scene);
+    out.sky = find_sky(scene, trace::threads_of(threads));
     return out;
 }
 

@@ -5,7 +5,7 @@
 
 namespace trace::path {
 
-/// What a scene has to aim at, for all paths of its picture.
-Sources find_sources(const plan::CompiledScene& scene);
+/// What a scene has to aim at, for all paths of its picture. threads: 0 for all cores.
+Sources find_sources(const plan::CompiledScene& scene, int threads);
 
 }  // namespace trace::path

@@ -47,7 +47,7 @@ public:
                   const ShownLevel& shown, SampledPicture& picture, PathFeatures* features)
         : features_(features), scene_(scene), options_(options), goal_(goal), shown_(shown), picture_(picture),
           kernel_(load_kernel(options.isa)),
-          sources_(scene.options.paths ? path::find_sources(scene) : path::Sources()),
+          sources_(scene.options.paths ? path::find_sources(scene, options.threads) : path::Sources()),
           tracers_(
               options, [this] { return kernel_.make(scene_, options_.indirect, options_.cancel); }, kernel_.free),
           paths_(

@@ -2,13 +2,12 @@
 
 #include "numbers/single_precision.h"
 #include "function/build/link.h"
+#include "render/plan/rendering_stack.h"
 #include "render/plan/textures/pattern_kinds.h"
 #include "render/scene/function.h"
 #include "render/scene/textures/color_functions.h"
 #include "render/scene/unsupported_features.h"
 #include "render/texture/noise/noise.h"
-
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -32,8 +31,7 @@ int deepest_nest()
 {
     constexpr std::size_t kLevel = 40 << 10;  // bytes of stack: 25 KB measured at most
     constexpr std::size_t kMost = 3000;       // the first thread's 120 MB
-    using Control = tbb::global_control;
-    return static_cast<int>(std::min(kMost, Control::active_value(Control::thread_stack_size) / kLevel));
+    return static_cast<int>(std::min(kMost, rendering_stack() / kLevel));
 }
 
 }  // namespace

@@ -186,16 +186,15 @@ TEST_CASE("memory that is refused is told with what is needed and what is allowe
 {
     const support::TemporaryFolder folder;
     support::write_text(folder / "s.pov", kPlainScene);
-    const auto limited = [&](const std::string& kilobytes) {
-        return support::run_program(
-            folder.path(), "/bin/sh",
-            {"-c", "ulimit -v " + kilobytes + " && exec " WHITTLE_PROGRAM " s.pov +W640 +H480"});
+    const auto limited = [&](const std::string& kilobytes, const char* size = "+W640 +H480") {
+        return support::run_program(folder.path(), "/bin/sh",
+                                    {"-c", "ulimit -v " + kilobytes + " && exec " WHITTLE_PROGRAM " s.pov " + size});
     };
-    const support::Ended refused = limited("40000");
+    const support::Ended refused = limited("60000", "+W3000 +H2000");  // 96 MB of picture
     CHECK(refused.status == 75);
     CHECK_THAT(refused.err,
                Catch::Matches("whittle: error: memory is refused: [0-9.]+ (bytes|kB|MB) more are needed; [0-9.]+ MB "
-                              "of the 41.0 MB that this process may have \\(ulimit -v\\) are in use\n"));
+                              "of the 61.4 MB that this process may have \\(ulimit -v\\) are in use\n"));
     CHECK(limited("400000").status == 0);
     // Whatever is refused first, a thread for one: it is said, and another try may go well.
     for (int kilobytes = 26000; kilobytes < 60000; kilobytes += 2000) {

@@ -211,7 +211,7 @@ Filtered filtered(const std::string& text, std::uint32_t samples, std::uint32_t 
                           kLinear, picture, {}, &features);
     Filtered out;
     picture.show(out.plain);
-    trace::denoise(picture, features, out.filtered);
+    trace::denoise(picture, features, 2, out.filtered);
     return out;
 }
 
