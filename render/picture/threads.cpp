@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
+#include <pthread.h>
 #include <sched.h>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace trace {
 
@@ -25,36 +29,99 @@ struct Threads::Loop {
     std::exception_ptr failed;  // guarded
 };
 
+/// A thread of the process that helps one Threads after the other. It ends with the process.
+class Threads::Helper {
+public:
+    /// Lets a waiting or a new thread wait for the loops of `of`; false: the system refuses one.
+    static bool call(Threads& of, int number)
+    {
+        Helper* free = take();
+        if (!free) free = start();
+        if (!free) return false;
+        const std::lock_guard lock(free->mutex_);
+        free->of_ = &of;
+        free->number_ = number;
+        free->called_.notify_one();
+        return true;
+    }
+
+private:
+    struct Waiting {
+        std::mutex mutex;
+        std::vector<Helper*> all;
+    };
+
+    static Waiting& waiting()
+    {
+        static Waiting& of_process = *[] {  // never destroyed: threads look at it until the process ends
+            pthread_atfork(nullptr, nullptr, [] { waiting().all.clear(); });  // a copy of the process has no threads
+            return new Waiting;
+        }();
+        return of_process;
+    }
+
+    static Helper* take()
+    {
+        const std::lock_guard lock(waiting().mutex);
+        if (waiting().all.empty()) return nullptr;
+        Helper* const last = waiting().all.back();
+        waiting().all.pop_back();
+        return last;
+    }
+
+    static Helper* start()
+    {
+        auto helper = std::make_unique<Helper>();
+        pthread_attr_t attributes;
+        pthread_attr_init(&attributes);
+        pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
+        pthread_attr_setstacksize(&attributes, plan::rendering_stack());
+        pthread_t thread{};
+        const auto body = [](void* self) -> void* { static_cast<Helper*>(self)->help(); };
+        const int refused = pthread_create(&thread, &attributes, body, helper.get());
+        pthread_attr_destroy(&attributes);
+        return refused == 0 ? helper.release() : nullptr;
+    }
+
+    [[noreturn]] void help()
+    {
+        for (;;) {
+            std::unique_lock lock(mutex_);
+            called_.wait(lock, [&] { return of_ != nullptr; });
+            Threads& of = *std::exchange(of_, nullptr);
+            const int number = number_;
+            lock.unlock();
+            of.wait_for_loops(number);
+            {
+                const std::lock_guard waits(waiting().mutex);
+                waiting().all.push_back(this);
+            }
+            of.leave();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable called_;
+    Threads* of_ = nullptr;
+    int number_ = 0;
+};
+
 Threads::~Threads()
 {
-    if (!others_) return;
-    {
-        const std::lock_guard lock(mutex_);
-        over_ = true;
-    }
+    std::unique_lock lock(mutex_);
+    over_ = true;
     asked_.notify_all();
-    for (const Begun& other : *others_) pthread_join(other.thread, nullptr);
+    done_.wait(lock, [&] { return helpers_ == 0; });
 }
 
 void Threads::begin()
 {
-    others_.emplace();
-    others_->reserve(static_cast<std::size_t>(count_ - 1));  // each thread knows its entry by address
-    pthread_attr_t attributes;
-    pthread_attr_init(&attributes);
-    pthread_attr_setstacksize(&attributes, plan::rendering_stack());
+    begun_ = true;
     for (int number = 1; number < count_; ++number) {
-        Begun& other = others_->emplace_back(Begun{this, number, {}});
-        const auto body = [](void* begun) -> void* {
-            const auto* const self = static_cast<const Begun*>(begun);
-            self->of->wait_for_loops(self->number);
-            return nullptr;
-        };
-        if (pthread_create(&other.thread, &attributes, body, &other) == 0) continue;
-        others_->pop_back();
-        break;
+        if (!Helper::call(*this, number)) break;
+        const std::lock_guard lock(mutex_);
+        ++helpers_;
     }
-    pthread_attr_destroy(&attributes);
 }
 
 void Threads::wait_for_loops(int number)
@@ -71,6 +138,12 @@ void Threads::wait_for_loops(int number)
         lock.lock();
         if (--busy_ == 0) done_.notify_one();
     }
+}
+
+void Threads::leave()
+{
+    const std::lock_guard lock(mutex_);
+    if (--helpers_ == 0) done_.notify_one();
 }
 
 void Threads::run(Loop& loop, int number)
@@ -90,12 +163,12 @@ void Threads::each(std::size_t first, std::size_t last, const std::function<void
         for (std::size_t i = first; i < last; ++i) f(i, 0);
         return;
     }
-    if (!others_) begin();
+    if (!begun_) begin();
     Loop loop{first, last, f, nullptr};
     {
         const std::lock_guard lock(mutex_);
         loop_ = &loop;
-        busy_ = others_->size();
+        busy_ = helpers_;
         ++loops_;
     }
     asked_.notify_all();

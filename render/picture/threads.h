@@ -6,18 +6,16 @@
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <optional>
-#include <pthread.h>
-#include <vector>
 
 namespace trace {
 
 /// wanted: 0 for all cores that this process may run on.
 int threads_of(int wanted);
 
-/// Threads that share a loop, the one that asks among them. They begin with the first loop, with stacks of
-/// plan::rendering_stack() bytes, and wait for the next; one thread alone begins none. Where the system refuses more
-/// threads those that there are do the work. One loop at a time.
+/// Threads that share a loop, the one that asks among them. The others begin with the first loop, with stacks of
+/// plan::rendering_stack() bytes, and wait for the next; afterwards they wait for whoever asks next in this process.
+/// One thread alone begins none. Where the system refuses more threads those that there are do the work. One loop at a
+/// time.
 class Threads {
 public:
     /// count: as many at most, at least 1.
@@ -34,23 +32,20 @@ public:
 
 private:
     struct Loop;
-    struct Begun {
-        Threads* of;
-        int number;
-        pthread_t thread;
-    };
+    class Helper;
 
     void begin();
     void wait_for_loops(int number);
+    void leave();
     void run(Loop& loop, int number);
 
     const int count_;
-    std::optional<std::vector<Begun>> others_;  // begun
+    bool begun_ = false;
     std::mutex mutex_;
     std::condition_variable asked_, done_;
     Loop* loop_ = nullptr;     // guarded, as all below
     std::uint64_t loops_ = 0;  // asked for so far
-    std::size_t busy_ = 0;     // of the others
+    std::size_t helpers_ = 0, busy_ = 0;
     bool over_ = false;
 };
 
