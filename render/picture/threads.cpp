@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <memory>
 #include <pthread.h>
 #include <sched.h>
@@ -49,6 +50,7 @@ private:
     struct Waiting {
         std::mutex mutex;
         std::vector<Helper*> all;
+        std::size_t begun = 0;
     };
 
     static Waiting& waiting()
@@ -72,6 +74,11 @@ private:
     static Helper* start()
     {
         auto helper = std::make_unique<Helper>();
+        {
+            // Room for it to wait in: where memory is short a thread that goes back could not ask for any.
+            const std::lock_guard lock(waiting().mutex);
+            waiting().all.reserve(++waiting().begun);
+        }
         pthread_attr_t attributes;
         pthread_attr_init(&attributes);
         pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
