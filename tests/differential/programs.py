@@ -55,8 +55,11 @@ def agreement(ours, theirs):
 
 
 def same_text(ours, theirs):
-    """Whether both printed the same; POV-Ray breaks what it prints at 80 columns, so white space is not compared."""
-    return "".join(ours.printed.split()) == "".join(theirs.printed.split())
+    """Whether both printed the same; POV-Ray breaks what it prints at 80 columns, so white space is not compared, and of a text of more
+    than 200 characters it prints 156 and three dots (docs/povray/01, 10.5), for 40 characters or more of ours."""
+    mine, other = ("".join(one.printed.split()) for one in (ours, theirs))
+    cut = ".{40,}?".join(re.escape(part) for part in other.split("..."))
+    return mine == other or ("..." in other and re.fullmatch(cut, mine, re.S) is not None)
 
 
 def verdict(ours, theirs):
