@@ -46,9 +46,11 @@ TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg
                                 Kind::Asinh, Kind::Cosh, Kind::Acosh, Kind::Tanh, Kind::Atanh, Kind::Power}) {
         INFO("function " << static_cast<int>(function));
         int ends = 0;
-        // A share of the cases goes on until it has met the set often enough: some functions leave little of it.
-        const auto least = static_cast<std::uint32_t>(share(60));
-        for (std::uint32_t seed = 0; seed < least || (seed < 60 && ends <= share(60) * 10); ++seed) {
+        // A share of the share of cases, as one takes long, and on until it has met the set often enough: some
+        // functions leave little of it.
+        const auto least = static_cast<std::uint32_t>(share(share(60)));
+        const int wanted = share(share(600));
+        for (std::uint32_t seed = 0; seed < least || (seed < 60 && ends <= wanted); ++seed) {
             Rng rng(seed + 1000);
             JuliaTerms terms;
             terms.function = function;
@@ -63,7 +65,7 @@ TEST_CASE("many rays of a julia fractal are told what each is told alone", "[csg
             }
             ends += check_many(Julia(terms), 1.2, seed);
         }
-        CHECK(ends > share(60) * 10);
+        CHECK(ends > wanted);
     }
 }
 

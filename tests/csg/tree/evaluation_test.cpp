@@ -125,8 +125,11 @@ TEST_CASE("of ends in one place evaluation sees what merged spans see", "[csg][e
 
 TEST_CASE("evaluation leaves nothing out of wide and deep trees", "[csg][evaluation]")
 {
-    const Told wide = check_trees(600, 12, [](Rng& rng, SolidStore& store) { return wide_tree(rng, store, 2); });
-    CHECK(wide.found > csg_test::share(1000));
-    const Told deep = check_trees(400, 12, [](Rng& rng, SolidStore& store) { return deep_tree(rng, store, 5); });
-    CHECK(deep.found > csg_test::share(1000));
+    // These trees are a hundred times as large as the others: of them a share of the share.
+    const Told wide =
+        check_trees(csg_test::share(600), 12, [](Rng& rng, SolidStore& store) { return wide_tree(rng, store, 2); });
+    CHECK(wide.found > csg_test::share(csg_test::share(1000)));
+    const Told deep =
+        check_trees(csg_test::share(400), 12, [](Rng& rng, SolidStore& store) { return deep_tree(rng, store, 5); });
+    CHECK(deep.found > csg_test::share(csg_test::share(1000)));
 }

@@ -48,15 +48,14 @@ TEST_CASE("source lines are shown as they are on a terminal of UTF-8 alone", "[p
 
 TEST_CASE("reading that takes long tells on a terminal which loop or macro it is in", "[program]")
 {
-    const support::TemporaryFolder folder;
-    support::write_text(folder / "m.pov",
-                        "#version 3.7;\n#macro Long()\n #while (1) #declare A = concat(\"a\", \"b\"); "
-                        "#end\n#end\nLong()\n");
-    const auto shown = [&](const char* scene) {
-        return shown_on_terminal(folder, {"6", WHITTLE_PROGRAM, scene}, "/usr/bin/timeout");
-    };
-    CHECK_THAT(shown("m.pov"), Catch::Contains("\rreading, 5 s: in loop #while, m.pov:3:2"));
-    const support::Ended piped =
-        support::run_program(folder.path(), "/usr/bin/timeout", {"6", WHITTLE_PROGRAM, "m.pov"});
-    CHECK(piped.err.find("reading,") == std::string::npos);
+    const support::TemporaryFolder folder, other;
+    for (const support::TemporaryFolder* one : {&folder, &other})
+        support::write_text(*one / "m.pov",
+                            "#version 3.7;\n#macro Long()\n #while (1) #declare A = concat(\"a\", \"b\"); "
+                            "#end\n#end\nLong()\n");
+    const std::string timeout = "/usr/bin/timeout";
+    const std::vector<std::string> words = {"6", WHITTLE_PROGRAM, "m.pov"};
+    support::RunningProgram piped(other.path(), timeout, words);  // at the same time
+    CHECK_THAT(shown_on_terminal(folder, words, timeout), Catch::Contains("\rreading, 5 s: in loop #while, m.pov:3:2"));
+    CHECK(piped.wait().err.find("reading,") == std::string::npos);
 }
