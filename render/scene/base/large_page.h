@@ -1,35 +1,28 @@
 #pragma once
 
+#include "render/scene/base/thread_time.h"
+
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <ctime>
 
 namespace scene {
 
 inline constexpr std::size_t kLargePage = std::size_t{2} << 20;
 
-/// Nanoseconds of the processor since the thread began.
-inline long thread_time()
+/// Seconds that a page of 4 kB takes when it is touched first: 0.25 to 1.5 millionths, and 16 in a virtual machine
+/// whose host hears of each. The least of four, measured once.
+inline double small_page_time()
 {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return now.tv_sec * 1'000'000'000 + now.tv_nsec;
-}
-
-/// Nanoseconds that a page of 4 kB takes when it is touched first: 250 to 1,500, and 16,000 in a virtual machine whose
-/// host hears of each. The least of four, measured once.
-inline long small_page_time()
-{
-    static const long time = [] {
+    static const double time = [] {
         constexpr std::size_t kPage = 4096, kCount = 4;
         void* const memory = mmap(nullptr, kCount * kPage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        long least = 0;
+        double least = 0.0;
         for (std::size_t i = 0; memory != MAP_FAILED && i < kCount; ++i) {
-            const long before = thread_time();
+            const double before = thread_seconds();
             static_cast<volatile char*>(memory)[i * kPage] = 0;
-            const long taken = thread_time() - before;
+            const double taken = thread_seconds() - before;
             least = i == 0 ? taken : std::min(least, taken);
         }
         if (memory != MAP_FAILED) munmap(memory, kCount * kPage);
@@ -44,12 +37,12 @@ inline long small_page_time()
 /// this changes nothing.
 inline bool take_large_page(void* memory, std::size_t bytes)
 {
-    // Nanoseconds; clearing takes 100'000 to 300'000. Of the small ones some would never be touched.
-    constexpr long kClearing = 600'000, kTouched = 384;
+    // Clearing takes 0.1 to 0.3 ms. Of the small ones some would never be touched.
+    constexpr double kClearing = 600e-6, kTouched = 384.0;
     madvise(memory, bytes, MADV_HUGEPAGE);
-    const long before = thread_time();
+    const double before = thread_seconds();
     *static_cast<volatile char*>(memory) = 0;
-    return thread_time() - before < std::max(kClearing, kTouched * small_page_time());
+    return thread_seconds() - before < std::max(kClearing, kTouched * small_page_time());
 }
 
 }  // namespace scene

@@ -3,6 +3,7 @@
 #include "render/study/cost/sampled_run.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/picture/passes/passes.h"
+#include "render/scene/base/thread_time.h"
 
 #include <fmt/format.h>
 
@@ -63,9 +64,9 @@ private:
         colors_.resize(positions_.size());
         const std::size_t warm = std::min<std::size_t>(positions_.size(), 64);
         kernel_.sample(*tracer, {positions_.data(), warm}, colors_.data());
-        const double begun = thread_seconds();
+        const double begun = scene::thread_seconds();
         kernel_.sample(*tracer, positions_, colors_.data());
-        const double end = thread_seconds();
+        const double end = scene::thread_seconds();
         const trace::RayCounts counts = kernel_.counts(*tracer);
         rays_ = counts.camera > 0 ? ray_count(counts) / static_cast<double>(counts.camera) : 0.0;
         return end - begun;

@@ -3,6 +3,7 @@
 #include "render/study/cost/sampled_run.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/picture/passes/passes.h"
+#include "render/scene/base/thread_time.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ constexpr std::array<std::uint8_t, 5> glyph(char c)
 }
 
 /// Of the thread, at least a nanosecond: its clock may stand still, or go back, while it changes processors.
-double since(double begun) { return std::max(thread_seconds() - begun, 1e-9); }
+double since(double begun) { return std::max(scene::thread_seconds() - begun, 1e-9); }
 
 /// Black, blue, red, yellow, white, at even steps.
 std::array<float, 3> false_color(float share)
@@ -131,12 +132,12 @@ Heat measure_heat(const plan::CompiledScene& scene, const trace::RenderOptions& 
                     at.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(heat.width) +
                                  static_cast<std::size_t>(x));
                 }
-            double begun = thread_seconds(), alone = 0.0;
+            double begun = scene::thread_seconds(), alone = 0.0;
             if (!kernel.sample(*tracer, tile, colors.data())) return {};
             const double together = since(begun);
             for (std::size_t k = 0; k < tile.size(); ++k) {
                 const double rays = ray_count(kernel.counts(*tracer));
-                begun = thread_seconds();
+                begun = scene::thread_seconds();
                 if (!kernel.sample(*tracer, {&tile[k], 1}, colors.data())) return {};
                 const double took = since(begun);
                 alone += took;

@@ -1,17 +1,8 @@
 #include "render/study/cost/sampled_run.h"
 
-#include <ctime>
-
 #include <algorithm>
 
 namespace study {
-
-double thread_seconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::vector<trace::SamplePosition> scattered_tiles(const plan::Options& options, std::size_t pixels)
 {

@@ -20,9 +20,6 @@ inline OwnTracer make_tracer(const trace::KernelTable& kernel, const plan::Compi
     return {kernel.make(scene, indirect, cancel), {&kernel}};
 }
 
-/// Seconds of processor time of the thread that asks.
-double thread_seconds();
-
 /// Centres of the pixels of some tiles of 8x8, scattered evenly over the picture; tile after tile. At most so many
 /// pixels, but one tile.
 std::vector<trace::SamplePosition> scattered_tiles(const plan::Options& options, std::size_t pixels);

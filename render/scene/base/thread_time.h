@@ -1,0 +1,15 @@
+#pragma once
+
+#include <ctime>
+
+namespace scene {
+
+/// Seconds of processor time of the thread that asks.
+inline double thread_seconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace scene
