@@ -3,6 +3,7 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/output/fingerprint.h"
+#include "render/app/run/stage_options.h"
 #include "render/app/run/scene_file.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/still/still.h"

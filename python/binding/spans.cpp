@@ -1,6 +1,6 @@
 #include "csg/base/cancel.h"
 #include "python/binding/scene_bodies.h"
-#include "render/app/run/allocation.h"
+#include "render/app/run/stage_options.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -124,8 +124,7 @@ std::shared_ptr<Spans> spans(const std::shared_ptr<Source>& source, const Asked&
             targets.push_back({std::move(body), box});
         }
         std::vector<Run> runs((rays.size() + kRun - 1) / kRun);
-        const int threads = app::threads_for(bodies.settings().threads);
-        tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+        tbb::task_arena arena(app::threads_of(bodies.settings()));
         arena.execute([&] {
             tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
                 if (job.cancel) throw csg::Cancelled();

@@ -1,7 +1,6 @@
 #include "render/app/layers/cost_report.h"
 
 #include "render/app/base/text.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/shell_commands.h"
 #include "render/app/run/stage_options.h"
 #include "render/study/cost/cost.h"
@@ -35,7 +34,7 @@ void report_cost(Run& run, const scene::Description& description, const plan::Co
     const Settings& settings = run.settings;
     if (!settings.explain_cost && settings.heat_file.empty()) return;
     trace::RenderOptions render;
-    render.threads = threads_for(settings.threads);
+    render.threads = threads_of(settings);
     render.isa = isa_of(settings);
     render.cancel = &run.cancel.requested;
     if (settings.explain_cost) {

@@ -6,7 +6,6 @@
 #include "render/app/output/output_name.h"
 #include "render/app/parts/block_file.h"
 #include "render/app/layers/cost_report.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/exit_status.h"
 #include "render/app/run/last_resort.h"
 #include "render/app/run/memory.h"
@@ -130,7 +129,7 @@ std::unique_ptr<plan::CompiledScene> compiled_at(Run& run, const Frame& frame, c
 {
     const Settings& settings = run.settings;
     parser::Options options = parser_options(settings, run.list, frame);
-    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_of(settings), run.cancel.requested, isa_of(settings));
     options.queries = &queries;
     options.cancel = &run.cancel.requested;
     if (!path.empty()) options.write_folders.push_back(std::filesystem::absolute(path).parent_path().string());
@@ -202,7 +201,7 @@ int render_frame(Run& run, const Frame& frame)
         return kSuccess;
     }
     StageTimes times;
-    SceneQueries queries(threads_for(settings.threads), run.cancel.requested, isa_of(settings));
+    SceneQueries queries(threads_of(settings), run.cancel.requested, isa_of(settings));
     parser::Options options;
     LastResort last_resort(run.cancel, [&run] { run.reporter.cancelled({}); });  // until the picture file is in place
     parser::Result parsed = parse_scene(run, at_moment(run, frame, 0), path, options, queries);

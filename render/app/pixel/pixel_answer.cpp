@@ -1,6 +1,5 @@
 #include "render/app/pixel/pixel_answer.h"
 
-#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/run/stage_options.h"
 #include "render/explain/pixel.h"
@@ -12,7 +11,7 @@ PixelAnswer pixel_answer(const Settings& settings, const scene::Description& des
 {
     plan::CompiledScene compiled = plan::compile(description, plan_options(settings));
     trace::RenderOptions options;
-    options.threads = threads_for(settings.threads);
+    options.threads = threads_of(settings);
     options.isa = isa_of(settings);
     options.cancel = &cancel;
     const explain::Pixel pixel = explain::explain_pixel(compiled, options, x, y);

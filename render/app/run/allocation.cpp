@@ -149,6 +149,4 @@ const Allocation& allocation()
     return of_process;
 }
 
-int threads_for(int asked) { return asked > 0 ? asked : allocation().threads; }
-
 }  // namespace app

@@ -24,7 +24,4 @@ Allocation allocation_of(const SystemFile& file, const Variable& variable);
 /// Of this process, with the processors that it may run on.
 const Allocation& allocation();
 
-/// Threads for a render: what was asked for, else the allocation's; 0: one a core.
-int threads_for(int asked);
-
 }  // namespace app

@@ -14,11 +14,11 @@ namespace app {
 /// Answers the parser's questions with the renderer's own parts. Objects and functions asked once are kept compiled.
 class SceneQueries final : public parser::SceneQueries {
 public:
-    /// \param threads  that answer many questions; 0: one a core
+    /// \param threads  that answer many questions
     /// \param cancel  when set, many questions end with parser::Cancelled
     /// \param isa  of the kernel that evaluates functions
     SceneQueries(int threads, const std::atomic<bool>& cancel, trace::Isa isa)
-        : threads_(trace::threads_of(threads)), cancel_(cancel), isa_(isa)
+        : threads_(threads), cancel_(cancel), isa_(isa)
     {}
     parser::ObjectHit trace(const ObjectPtr& object, const glm::dvec3& origin, const glm::dvec3& direction,
                             const scene::Description& so_far) override;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/run/scene_queries.h"
 #include "render/app/run/stage_options.h"
@@ -13,7 +12,7 @@ class SceneReading {
 public:
     /// \param cancel when set, reading ends with parser::Cancelled; outlives this, as do the settings
     SceneReading(const Settings& settings, const std::atomic<bool>& cancel)
-        : queries_(threads_for(settings.threads), cancel, isa_of(settings))
+        : queries_(threads_of(settings), cancel, isa_of(settings))
     {
         const FrameList list = frames_of(settings);
         options = parser_options(settings, list, list.frames.front());

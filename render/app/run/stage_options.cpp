@@ -3,7 +3,8 @@
 #include "render/app/base/library_path.h"
 #include "render/app/base/text.h"
 #include "render/app/frames/window.h"
-#include "render/picture/workers.h"
+#include "render/app/run/allocation.h"
+#include "render/picture/threads.h"
 
 #include <algorithm>
 
@@ -38,8 +39,6 @@ parser::Options parser_options(const Settings& settings, const FrameList& list, 
     options.restrict_read = settings.restrict_read;
     return options;
 }
-
-int threads_of(const Settings& settings) { return trace::threads_of(settings.threads); }
 
 plan::Options plan_options(const Settings& settings)
 {
@@ -131,6 +130,11 @@ void refuse_contradictions(const Settings& settings)
 bool from_standard_input(const Settings& settings)
 {
     return settings.input_file == "-" || same_text(settings.input_file, "stdin");
+}
+
+int threads_of(const Settings& settings)
+{
+    return trace::threads_of(settings.threads > 0 ? settings.threads : allocation().threads);
 }
 
 trace::Isa isa_of(const Settings& settings)

@@ -3,7 +3,7 @@
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
-#include "render/app/run/allocation.h"
+#include "render/app/run/stage_options.h"
 #include "render/app/run/run.h"
 #include "render/app/report/json_writer.h"
 #include "render/app/solid/bodies.h"
@@ -163,9 +163,8 @@ int info_command(const std::vector<std::string>& arguments, Cancellation& cancel
 {
     const InfoRequest request = info_request(arguments);
     cancel.heeded = true;
-    const int threads = threads_for(request.bodies.settings.threads);
-    std::optional<tbb::global_control> limit;
-    if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads_of(request.bodies.settings)));
     try {
         if (request.section) return draw_section(request.bodies, *request.section, cancel);
         return info(request, cancel);

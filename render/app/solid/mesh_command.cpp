@@ -1,6 +1,6 @@
 #include "render/app/solid/mesh_command.h"
 
-#include "render/app/run/allocation.h"
+#include "render/app/run/stage_options.h"
 #include "render/app/options/command_line.h"
 #include "render/app/options/ini_file.h"
 #include "render/app/options/positive.h"
@@ -206,9 +206,8 @@ int mesh_command(const std::vector<std::string>& arguments, Cancellation& cancel
 {
     const MeshRequest request = mesh_request(arguments);
     cancel.heeded = true;
-    const int threads = threads_for(request.bodies.settings.threads);
-    std::optional<tbb::global_control> limit;
-    if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads_of(request.bodies.settings)));
     try {
         return MeshRun(request, cancel).run();
     } catch (...) {

@@ -1,6 +1,5 @@
 #include "render/app/still/still.h"
 
-#include "render/app/run/allocation.h"
 #include "render/app/run/stage_options.h"
 #include "render/app/still/samples.h"
 #include "render/picture/passes/passes.h"
@@ -83,7 +82,7 @@ trace::RenderStatistics sampled(const StillTask& task, std::shared_ptr<const tra
 trace::RenderOptions render_options(const Settings& settings, const std::atomic<bool>& cancel)
 {
     trace::RenderOptions options;
-    options.threads = threads_for(settings.threads);
+    options.threads = threads_of(settings);
     options.isa = isa_of(settings);
     options.cancel = &cancel;
     return options;

@@ -7,7 +7,6 @@
 #include "render/app/output/whole_text.h"
 #include "render/app/report/json_writer.h"
 #include "render/app/report/progress.h"
-#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/frames/frames.h"
 #include "render/app/run/scene_file.h"
@@ -164,7 +163,7 @@ private:
         const SceneReading reading(settings, cancel_.requested);
         const parser::Result parsed = parser::parse_file(file, reading.options);
         trace::RenderOptions render;
-        render.threads = threads_for(settings.threads);
+        render.threads = threads_of(settings);
         render.isa = isa_of(settings);
         render.cancel = &cancel_.requested;
         study::Study study(parsed.scene, plan_options(settings), render,

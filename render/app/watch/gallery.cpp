@@ -4,6 +4,7 @@
 #include "render/app/rpc/guarded_json.h"
 #include "render/app/run/scene_reading.h"
 #include "render/app/watch/block_event.h"
+#include "render/app/run/stage_options.h"
 #include "render/image/files.h"
 #include "render/kernel/gather/indirect_light.h"
 #include "render/picture/passes/passes.h"
@@ -62,7 +63,7 @@ std::string small_picture(Settings settings, const std::string& path, const std:
     const parser::Result parsed = parser::parse_file(path, reading.options);
     plan::CompiledScene compiled = plan::compile(parsed.scene, plan_options(settings));
     trace::RenderOptions options;
-    options.threads = threads_for(settings.threads);
+    options.threads = threads_of(settings);
     options.isa = isa_of(settings);
     options.cancel = &cancel;
     const auto light = trace::run_passes(compiled, options);

@@ -1,6 +1,5 @@
 #include "render/app/watch/place/lit_pixels.h"
 
-#include "render/app/run/allocation.h"
 #include "render/app/run/run.h"
 #include "render/app/run/stage_options.h"
 #include "render/explain/ray_spans.h"
@@ -160,7 +159,7 @@ SeenPixels::SeenPixels(const Settings& settings, const scene::Description& scene
 {
     const plan::CompiledScene compiled = plan::compile(scene, plan_options(settings));
     trace::RenderOptions options;
-    options.threads = threads_for(settings.threads);
+    options.threads = threads_of(settings);
     options.isa = isa_of(settings);
     options.cancel = &cancel;
     const std::vector<std::string> names(scene.objects.size());

@@ -75,5 +75,4 @@ TEST_CASE("what Slurm reserves counts, and the variable of another program does 
     CHECK(allocation({}, {{"SLURM_MEM_PER_NODE", "2"}}).memory == 2.0 * 1024 * 1024);
     CHECK(std::isinf(allocation({}, {{"SLURM_MEM_PER_NODE", "0"}}).memory));
     CHECK(allocation({}, {{"SLURM_MEM_PER_CPU", "2"}, {"SLURM_CPUS_PER_TASK", "3"}}).memory == 6.0 * 1024 * 1024);
-    CHECK(app::threads_for(7) == 7);
 }
