@@ -10,7 +10,7 @@ namespace {
 constexpr double kNear = 0.1;  // of the reach
 constexpr double kFold = 0.2;  // cosine: what turns so far from a side is another one
 /// Of the way from the meeting place into a side: where its tangent plane is taken, one after the other.
-constexpr std::array<double, 5> kShares{0.5, 0.2, 0.04, 0.004, 0.0004};
+constexpr std::array<double, kExactSteps> kShares{0.5, 0.2, 0.04, 0.004, 0.0004};
 
 Foot foot_within(const Body& body, const glm::dvec3& point, const glm::dvec3& out, double reach)
 {
@@ -42,12 +42,13 @@ Foot foot_of(const Body& body, const glm::dvec3& point, const glm::dvec3& out, d
     return near.found ? near : foot_within(body, point, out, reach);
 }
 
-bool meeting_place(const Body& body, std::span<Side> sides, const glm::dvec3& start, double size, glm::dvec3& out)
+bool meeting_place(const Body& body, std::span<Side> sides, const glm::dvec3& start, double size, std::size_t steps,
+                   glm::dvec3& out)
 {
     if (sides.size() > 16) return false;
     std::array<SurfacePoint, 16> planes;
     glm::dvec3 x = start;
-    for (const double share : kShares) {
+    for (const double share : std::span(kShares).first(steps)) {
         for (std::size_t i = 0; i < sides.size(); ++i) {
             Side& side = sides[i];
             const glm::dvec3 from = x + share * (side.within - x);

@@ -28,7 +28,10 @@ struct Side {
 /// The place where all sides meet, near `start`: tangent planes meet there, taken ever nearer to it (Newton's method).
 /// Where two meet, what is free along the edge stays. False: a side is not met, or the place runs off.
 /// \param size how far off it may be
-bool meeting_place(const Body& body, std::span<Side> sides, const glm::dvec3& start, double size, glm::dvec3& out);
+/// \param steps 1 to kExactSteps: of a side that is bent, the place is off by so much less with each
+bool meeting_place(const Body& body, std::span<Side> sides, const glm::dvec3& start, double size, std::size_t steps,
+                   glm::dvec3& out);
+inline constexpr std::size_t kExactSteps = 5, kRoughSteps = 2;
 
 /// Whether the surface is bent sharply between two places, however near to it one looks.
 bool is_sharp_between(const Body& body, const SurfacePoint& a, const SurfacePoint& b);

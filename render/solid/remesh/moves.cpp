@@ -17,7 +17,7 @@ constexpr double kStays = 1e-4;    // of the tolerance: shorter moves are none
 }  // namespace
 
 /// Where a vertex comes to lie on the surface, or on the edge or corner that it belongs to, near a place.
-Remesher::Move Remesher::moved(Index v, const glm::dvec3& to) const
+Remesher::Move Remesher::moved(Index v, const glm::dvec3& to, std::size_t steps) const
 {
     Move out;
     double longest = kSettled * options_.tolerance;
@@ -30,7 +30,7 @@ Remesher::Move Remesher::moved(Index v, const glm::dvec3& to) const
         std::array<Side, 16> sides;
         const std::size_t count = sides_of(v, sides);
         if (count > 1) {
-            out.found = meeting_place(body_, std::span(sides.data(), count), to, longest, out.place);
+            out.found = meeting_place(body_, std::span(sides.data(), count), to, longest, steps, out.place);
             return out;
         }
     }
@@ -121,7 +121,8 @@ void Remesher::settle(bool all)
 {
     std::vector<Move> moves(mesh_.vertices());
     each(mesh_.vertices(), [&](Index v) {
-        if (mesh_.has_vertex(v) && (all || kinds_[v] != Kind::Smooth)) moves[v] = moved(v, mesh_.places[v]);
+        if (mesh_.has_vertex(v) && (all || kinds_[v] != Kind::Smooth))
+            moves[v] = moved(v, mesh_.places[v], kRoughSteps);
     });
     for (Index v = 0; v < mesh_.vertices(); ++v)
         if (moves[v].found && glm::length(moves[v].place - mesh_.places[v]) <= kSettled * options_.tolerance)

@@ -88,7 +88,7 @@ private:
         bool found = false;
         glm::dvec3 place{0.0}, normal{0.0};
     };
-    Move moved(Index v, const glm::dvec3& to) const;
+    Move moved(Index v, const glm::dvec3& to, std::size_t steps = kExactSteps) const;
     Move beside(Index v) const;
     glm::dvec3 wanted_place(Index v) const;
     bool may_move(Index v, const glm::dvec3& to) const;
