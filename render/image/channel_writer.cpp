@@ -24,8 +24,6 @@ ChannelWriter::ChannelWriter(IoLoader& loader, const std::string& path, const Ch
     for (const auto& [key, text] : what.attributes) attributes.insert(attributes.end(), {key.c_str(), text.c_str()});
     attributes.push_back(nullptr);
     WriteRequest request{};
-    request.format = facts(FileType::OpenExr).format;
-    request.linear_light = true;
     request.channel_names = names.data();
     request.attributes = attributes.data();
     const FileShape shape{what.width, what.height, static_cast<int>(names.size()), 32, {}, kSoftware, {}};
@@ -39,7 +37,7 @@ ChannelWriter::~ChannelWriter()
 
 void ChannelWriter::put(const float* values)
 {
-    named([&] { writer_->put_levels(values); });
+    named([&] { writer_->put(values); });
 }
 
 void ChannelWriter::finish(bool lasting)

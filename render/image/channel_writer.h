@@ -4,6 +4,8 @@
 
 namespace image {
 
+class IoWriter;
+
 /// An OpenEXR file of many channels on its way, row by row from the top; one that is not finished leaves nothing.
 /// Methods throw FileError.
 class ChannelWriter {

@@ -1,13 +1,18 @@
 #include "render/image/files.h"
 
+#include "render/image/base64.h"
+#include "render/image/codecs/bmp_writer.h"
 #include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/hdr_writer.h"
 #include "render/image/file_types.h"
 #include "render/image/codecs/io_loader.h"
 #include "render/image/codecs/io_writer.h"
 #include "render/image/channel_writer.h"
 #include "render/image/picture_writer.h"
 #include "render/image/codecs/png_writer.h"
+#include "render/image/codecs/picture_libraries.h"
 #include "render/image/codecs/ppm_writer.h"
+#include "render/image/codecs/targa_writer.h"
 #include "render/image/pixels/passing_failure.h"
 
 #include <algorithm>
@@ -22,15 +27,15 @@ namespace {
 constexpr int kAnySide = 0x7fffffff, kSixteenBits = 0xffff;
 
 constexpr TypeFacts kTypes[] = {
-    {FileType::Png, ".png", "png", true, true, false, true, kAnySide, 16},
-    {FileType::Ppm, ".ppm", "pnm", false, true, false, true, kAnySide, 1},
-    {FileType::PpmPlain, ".ppm", "pnm", false, true, false, true, kAnySide, 1},
-    {FileType::Targa, ".tga", "targa", true, false, false, false, kSixteenBits, 1},
-    {FileType::TargaRunLength, ".tga", "targa", true, false, false, false, kSixteenBits, 16},
-    {FileType::Jpeg, ".jpg", "jpeg", false, false, false, false, 65500, 16},
-    {FileType::Bmp, ".bmp", "bmp", true, false, false, false, kAnySide, 1},
-    {FileType::OpenExr, ".exr", "openexr", true, false, true, false, kAnySide, 16},
-    {FileType::RadianceHdr, ".hdr", "hdr", false, false, true, false, kAnySide, 16},
+    {FileType::Png, ".png", true, true, false, true, kAnySide, 16},
+    {FileType::Ppm, ".ppm", false, true, false, true, kAnySide, 1},
+    {FileType::PpmPlain, ".ppm", false, true, false, true, kAnySide, 1},
+    {FileType::Targa, ".tga", true, false, false, false, kSixteenBits, 1},
+    {FileType::TargaRunLength, ".tga", true, false, false, false, kSixteenBits, 16},
+    {FileType::Jpeg, ".jpg", false, false, false, false, 65500, 16},
+    {FileType::Bmp, ".bmp", true, false, false, false, kAnySide, 1},
+    {FileType::OpenExr, ".exr", true, false, true, false, kAnySide, 16},
+    {FileType::RadianceHdr, ".hdr", false, false, true, false, kAnySide, 16},
 };
 
 /// POV-Ray takes TIFFs through a picture of 8 bits whose colours are times alpha: it rounds colours and cuts greys of
@@ -66,16 +71,27 @@ const TypeFacts& facts(FileType type)
     return *std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeFacts& f) { return f.type == type; });
 }
 
-std::unique_ptr<RowSink> integer_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape,
-                                      int jpeg_quality, bool quick)
+std::unique_ptr<RowSink> integer_sink(FileType type, const std::string& path, const FileShape& shape, int jpeg_quality,
+                                      bool quick)
 {
-    if (type == FileType::Png)
-        return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
     if (is_ppm(type)) return std::make_unique<PpmWriter>(path, shape, type == FileType::PpmPlain);
+    if (type == FileType::Bmp) return std::make_unique<BmpWriter>(path, shape);
+    if (type == FileType::Jpeg) return jpeg_sink(path, shape, jpeg_quality);
+    if (type == FileType::Targa || type == FileType::TargaRunLength)
+        return std::make_unique<TargaWriter>(path, shape, type == FileType::TargaRunLength);
+    return std::make_unique<PngWriter>(path, shape, quick ? PngEffort::None : PngEffort::Usual);
+}
+
+std::unique_ptr<LevelSink> level_sink(IoLoader& loader, FileType type, const std::string& path, const FileShape& shape)
+{
+    if (type == FileType::RadianceHdr) return std::make_unique<HdrWriter>(path, shape);
+    std::vector<const char*> attributes;
+    if (!shape.fingerprint.empty()) attributes.insert(attributes.end(), {kFingerprintKey, shape.fingerprint.c_str()});
+    const std::string carried = shape.carried ? base64(*shape.carried) : std::string();
+    if (shape.carried) attributes.insert(attributes.end(), {kCarriedKey, carried.c_str()});
+    attributes.push_back(nullptr);
     WriteRequest request{};
-    request.format = facts(type).format;
-    request.run_length = type == FileType::TargaRunLength;
-    request.jpeg_quality = jpeg_quality;
+    request.attributes = attributes.data();
     return std::make_unique<IoWriter>(loader.get(), path, shape, request);
 }
 
@@ -87,7 +103,7 @@ Files::Files() : loader_(std::make_shared<IoLoader>()) {}
 
 void Files::prepare(FileType type) const
 {
-    if (type != FileType::Png && !is_ppm(type)) loader_->start();
+    if (type == FileType::OpenExr) loader_->start();
 }
 
 double least_bytes(FileType type, int width, int height, const Encoding& encoding)
@@ -119,9 +135,9 @@ void Files::write(const std::string& path, const Raster& raster, FileType type, 
     Replacement replacement(path);
     try {
         const FileShape shape{raster.width, raster.height, raster.channels, raster.bits, file_curve, kSoftware, {}};
-        const std::unique_ptr<RowSink> sink =
-            integer_sink(*loader_, type, replacement.temporary(), shape, jpeg_quality, false);
-        for (int row = 0; row < raster.height; ++row) sink->put(raster.at(0, row));
+        const std::unique_ptr<RowSink> sink = integer_sink(type, replacement.temporary(), shape, jpeg_quality, false);
+        for (int row = 0; row < raster.height; ++row)
+            sink->put(raster.at(0, type == FileType::Bmp ? raster.height - 1 - row : row));
         sink->finish();
     } catch (const FileError& error) {
         fail_named("cannot write '" + path + "': ", error);

@@ -1,15 +1,11 @@
 #include "render/image/picture_writer.h"
 
 #include "render/image/file_types.h"
-#include "render/image/base64.h"
-#include "render/image/codecs/io_loader.h"
-#include "render/image/codecs/io_writer.h"
 #include "render/image/pixels/passing_failure.h"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -78,24 +74,9 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
         width,           height, encoding.alpha ? 4 : 3, 16, encoding.curves.file, kSoftware, settings.fingerprint,
         settings.carried};
     if (type.linear_light) {
-        const IoModule& module = loader.get();
         working_ = encoding.curves.working;
         alpha_ = encoding.alpha;
-        WriteRequest request{};
-        request.format = type.format;
-        request.linear_light = true;
-        std::vector<const char*> attributes;
-        if (!shape.fingerprint.empty())
-            attributes.insert(attributes.end(), {kFingerprintKey, shape.fingerprint.c_str()});
-        const std::string carried = shape.carried ? base64(*shape.carried) : std::string();
-        if (shape.carried) attributes.insert(attributes.end(), {kCarriedKey, carried.c_str()});
-        attributes.push_back(nullptr);
-        if (settings.type == FileType::OpenExr) request.attributes = attributes.data();
-        named([&] {
-            auto writer = std::make_unique<IoWriter>(module, replacement_.temporary(), shape, request);
-            levels_ = writer.get();
-            sink_ = std::move(writer);
-        });
+        named([&] { levels_ = level_sink(loader, settings.type, replacement_.temporary(), shape); });
         return;
     }
     if (!type.sixteen_bits) encoding.bits = 8;
@@ -105,15 +86,14 @@ PictureWriter::PictureWriter(IoLoader& loader, const std::string& path, int widt
     shape.bits = rounding_->bits();
     row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(shape.channels));
     named([&] {
-        sink_ =
-            integer_sink(loader, settings.type, replacement_.temporary(), shape, settings.jpeg_quality, settings.quick);
+        sink_ = integer_sink(settings.type, replacement_.temporary(), shape, settings.jpeg_quality, settings.quick);
     });
-    if (bottom_up_) from_below_.reserve(row_.size() * static_cast<std::size_t>(height));
 }
 
 PictureWriter::~PictureWriter()
 {
-    sink_.reset();  // before its file is removed
+    sink_.reset();  // before their file is removed
+    levels_.reset();
 }
 
 /// Linear light, colours weighted by opacity, as OpenEXR and Radiance store it.
@@ -124,7 +104,7 @@ void PictureWriter::put_linear(const float* pixels)
         for (std::size_t c = 0; c < 3; ++c) level_row_.push_back(working_.decode(pixels[c]));
         if (alpha_) level_row_.push_back(1.0f - pixels[3]);
     }
-    named([&] { levels_->put_levels(level_row_.data()); });
+    named([&] { levels_->put(level_row_.data()); });
 }
 
 void PictureWriter::put(const float* pixels)
@@ -133,22 +113,12 @@ void PictureWriter::put(const float* pixels)
     ++taken_;
     if (!rounding_) return put_linear(pixels);
     rounding_->round(row, pixels, row_.data());
-    if (bottom_up_) {
-        for (const std::uint16_t sample : row_) from_below_.push_back(static_cast<std::uint8_t>(sample));
-        return;
-    }
     named([&] { sink_->put(row_.data()); });
 }
 
 void PictureWriter::finish()
 {
-    named([&] {
-        for (std::size_t at = from_below_.size(); at > 0; at -= row_.size()) {
-            std::copy_n(from_below_.begin() + static_cast<std::ptrdiff_t>(at - row_.size()), row_.size(), row_.begin());
-            sink_->put(row_.data());
-        }
-        sink_->finish();
-    });
+    named([&] { sink_ ? sink_->finish() : levels_->finish(); });
     replacement_.put_in_place(lasting_);
 }
 

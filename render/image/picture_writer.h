@@ -55,10 +55,9 @@ private:
     bool alpha_ = false;
     std::unique_ptr<RowQuantiser> rounding_;  ///< null: linear light
     std::unique_ptr<RowSink> sink_;
-    class IoWriter* levels_ = nullptr;  ///< sink_, where it takes linear light
+    std::unique_ptr<LevelSink> levels_;  ///< in its place, of linear light
     std::vector<std::uint16_t> row_;
     std::vector<float> level_row_;
-    std::vector<std::uint8_t> from_below_;  ///< BMP: rows of bytes that wait for those above
 };
 
 }  // namespace image

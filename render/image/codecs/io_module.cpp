@@ -1,13 +1,9 @@
 #include "render/image/codecs/io_module.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -18,11 +14,8 @@ namespace image {
 
 class OpenPicture {
 public:
-    OpenPicture(std::unique_ptr<OIIO::ImageOutput> output, OIIO::TypeDesc type) : out(std::move(output)), rows(type) {}
-    OIIO::Filesystem::IOVecOutput kept;  ///< of JPEG, whose library ends the process where a disk is full
-    std::string path;                    ///< that it goes to; empty: `out` has the file
+    explicit OpenPicture(std::unique_ptr<OIIO::ImageOutput> output) : out(std::move(output)) {}
     const std::unique_ptr<OIIO::ImageOutput> out;
-    const OIIO::TypeDesc rows;  ///< of what put() is given
 };
 
 }  // namespace image
@@ -39,12 +32,7 @@ const char* failed(std::string message)
 
 OIIO::ImageSpec spec_of(const image::WriteRequest& request)
 {
-    const bool linear_light = request.linear_light;
-    const OIIO::TypeDesc stored = linear_light         ? OIIO::TypeDesc::HALF
-                                  : request.eight_bits ? OIIO::TypeDesc::UINT8
-                                                       : OIIO::TypeDesc::UINT16;
-    OIIO::ImageSpec spec(request.width, request.height, request.channels, stored);
-    const std::string format = request.format;
+    OIIO::ImageSpec spec(request.width, request.height, request.channels, OIIO::TypeDesc::HALF);
     if (request.channel_names != nullptr) {
         spec.set_format(OIIO::TypeDesc::FLOAT);
         spec.channelnames.assign(request.channel_names, request.channel_names + request.channels);
@@ -54,63 +42,33 @@ OIIO::ImageSpec spec_of(const image::WriteRequest& request)
     }
     for (const char* const* text = request.attributes; text != nullptr && *text != nullptr; text += 2)
         spec.attribute(text[0], text[1]);
-    if (format == "hdr") spec.set_format(OIIO::TypeDesc::FLOAT);
-    if (request.channels == 2) {
-        spec.channelnames = {"Y", "A"};
-        spec.alpha_channel = 1;
-    }
-    if (!linear_light) spec.attribute("oiio:UnassociatedAlpha", 1);  // the colours are straight: store them unchanged
-    if (linear_light) {
-        spec.attribute("oiio:ColorSpace", "Linear");
-    } else if (request.srgb) {
-        spec.attribute("oiio:ColorSpace", "sRGB");
-    } else {
-        spec.attribute("oiio:ColorSpace", "GammaCorrected");
-        spec.attribute("oiio:Gamma", request.gamma);
-    }
-    if (format == "targa") spec.attribute("compression", request.run_length ? "rle" : "none");
-    if (format == "jpeg") {
-        spec.attribute("compression", "jpeg:" + std::to_string(request.jpeg_quality));
-        spec.attribute("jpeg:subsampling", "4:4:4");
-    }
-    if (format == "openexr") spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("compression", "zip");
     spec.attribute("Software", request.software);
-    spec.attribute("DateTime", "");  // else OpenEXR files carry the time of day, and equal pictures are not equal files
+    spec.attribute("DateTime", "");  // else files carry the time of day, and equal pictures are not equal files
     return spec;
 }
 
 const char* open_picture(const image::WriteRequest& request, image::OpenPicture*& picture)
 {
-    std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(request.format);
+    std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("openexr");
     if (!out) return failed(OIIO::geterror());
-    const OIIO::TypeDesc rows = request.linear_light ? OIIO::TypeDesc::FLOAT
-                                : request.eight_bits ? OIIO::TypeDesc::UINT8
-                                                     : OIIO::TypeDesc::UINT16;
-    auto opening = std::make_unique<image::OpenPicture>(std::move(out), rows);
-    if (opening->out->supports("ioproxy") && std::string(request.format) == "jpeg" &&
-        opening->out->set_ioproxy(&opening->kept))
-        opening->path = request.path;
+    auto opening = std::make_unique<image::OpenPicture>(std::move(out));
     if (!opening->out->open(request.path, spec_of(request))) return failed(opening->out->geterror());
     picture = opening.release();
     return nullptr;
 }
 
-const char* put_rows(image::OpenPicture& picture, int first, int count, const void* rows)
+const char* put_rows(image::OpenPicture& picture, int first, int count, const float* rows)
 {
-    const bool written = picture.out->write_scanlines(first, first + count, 0, picture.rows, rows);
+    const bool written = picture.out->write_scanlines(first, first + count, 0, OIIO::TypeDesc::FLOAT, rows);
     return written ? nullptr : failed(picture.out->geterror());
 }
 
 const char* close_picture(image::OpenPicture* picture)
 {
     const std::unique_ptr<image::OpenPicture> ending(picture);
-    if (!picture->out->close()) return failed(picture->out->geterror());
-    if (picture->path.empty()) return nullptr;
-    const std::vector<unsigned char>& bytes = picture->kept.buffer();
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(picture->path.c_str(), "wb"), std::fclose);
-    const bool written = file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                         std::fflush(file.get()) == 0;
-    return written ? nullptr : failed(std::strerror(errno));
+    return picture->out->close() ? nullptr : failed(picture->out->geterror());
 }
 
 /// A header may promise any size, and room is made before the first row is read.
@@ -168,7 +126,7 @@ extern "C" __attribute__((visibility("default"))) const image::IoModule* whittle
         [](const image::WriteRequest& request, image::OpenPicture*& picture) {
             return guarded([&] { return open_picture(request, picture); });
         },
-        [](image::OpenPicture& picture, int first, int count, const void* rows) {
+        [](image::OpenPicture& picture, int first, int count, const float* rows) {
             return guarded([&] { return put_rows(picture, first, count, rows); });
         },
         [](image::OpenPicture* picture) { return guarded([&] { return close_picture(picture); }); },

@@ -5,21 +5,14 @@
 /// The one interface to the module that holds OpenImageIO. Plain C types: the module shares no state with the program.
 namespace image {
 
-/// What a writer is told. Strings live until the call returns.
+/// What the writer of OpenEXR files is told. Strings live until the call returns.
 struct WriteRequest {
-    const char* path;    ///< written as it is, the format is `format`
-    const char* format;  ///< OpenImageIO's name: "targa", "pnm", "bmp", "jpeg", "openexr" or "hdr"
+    const char* path;
     int width, height, channels;
-    bool linear_light;  ///< exr and hdr: rows are floats
-    bool eight_bits;    ///< rows are bytes, and stored so; else they are integers over the full 16 bits
-    bool run_length;    ///< tga: compress runs
-    bool srgb;          ///< tag as sRGB
-    float gamma;        ///< decoding gamma for the tag otherwise
-    int jpeg_quality;   ///< 1 to 100
     const char* software;
-    /// exr: names of the channels, stored as floats of 32 bits; null: the usual ones, of 16 bits
+    /// Names of the channels, stored as floats of 32 bits; null: the usual ones, of 16 bits.
     const char* const* channel_names;
-    const char* const* attributes;  ///< exr: names and texts in turn, ended by null; or null
+    const char* const* attributes;  ///< names and texts in turn, ended by null; or null
 };
 
 /// What a reader returns; `samples` belongs to the module until `release`.
@@ -37,8 +30,8 @@ class OpenPicture;  ///< a file that is being written
 /// All but `discard` and `release` return null or a message that stays valid until the next call of the same thread.
 struct IoModule {
     const char* (*open)(const WriteRequest&, OpenPicture*& out);  ///< `out` ends in close() or discard()
-    /// Rows [first, first + count), each once, from the top: bytes, 16-bit integers or floats as the request says.
-    const char* (*put)(OpenPicture& picture, int first, int count, const void* rows);
+    /// Rows [first, first + count), each once, from the top, in linear light.
+    const char* (*put)(OpenPicture& picture, int first, int count, const float* rows);
     const char* (*close)(OpenPicture* picture);
     void (*discard)(OpenPicture* picture);
     const char* (*read)(const char* path, ReadResult&);

@@ -8,30 +8,23 @@
 
 namespace image {
 
-/// Writes through the module, in runs of rows: its writers compress several rows together.
-class IoWriter final : public RowSink {
+/// Writes OpenEXR files through the module, in runs of rows: several are compressed together.
+class IoWriter final : public LevelSink {
 public:
-    /// \param request its shape and the kind of its rows are filled in here
+    /// \param request its path and shape are filled in here
     IoWriter(const IoModule& module, const std::string& path, const FileShape& shape, WriteRequest request);
     ~IoWriter() override;
-    void put(const std::uint16_t* samples) override;
-    /// The same in linear light.
-    void put_levels(const float* levels);
+    void put(const float* levels) override;
     void finish() override;
 
 private:
-    template <class Sample>
-    void add(std::vector<Sample>& run);
-    template <class Sample>
-    void write(std::vector<Sample>& run);
+    void write();
     void check(const char* message) const;
 
     const IoModule& module_;
     OpenPicture* picture_ = nullptr;
     std::size_t row_samples_;
-    int bits_, written_ = 0;  ///< rows that the module has
-    std::vector<std::uint8_t> bytes_;
-    std::vector<std::uint16_t> integers_;
+    int written_ = 0;  ///< rows that the module has
     std::vector<float> levels_;
 };
 

@@ -27,19 +27,22 @@ struct FileShape {
     std::shared_ptr<const std::string> carried = {};
 };
 
-/// A picture file that grows row by row, from the top. One that was not finished is of no use.
+/// A picture file that grows row by row, from the top; a BMP from below. One that was not finished is of no use.
 /// Methods throw FileError, whose text names no file.
-class RowSink {
+template <class Sample>
+class SinkOf {
 public:
-    RowSink() = default;
-    RowSink(const RowSink&) = delete;
-    RowSink& operator=(const RowSink&) = delete;
-    virtual ~RowSink() = default;
-    /// The next row: channels * width integers.
-    virtual void put(const std::uint16_t* samples) = 0;
+    SinkOf() = default;
+    SinkOf(const SinkOf&) = delete;
+    SinkOf& operator=(const SinkOf&) = delete;
+    virtual ~SinkOf() = default;
+    /// The next row: channels * width samples.
+    virtual void put(const Sample* samples) = 0;
     /// After the last row. A full disk may show only now.
     virtual void finish() = 0;
 };
+using RowSink = SinkOf<std::uint16_t>;  ///< integers
+using LevelSink = SinkOf<float>;        ///< linear light
 
 /// Integers of `bits` bits over 16: shorter ones stand at the top and repeat below, so that the largest stays the
 /// largest. For 8 stored bits the upper byte is what counts (spec 2, 12.4).
@@ -49,6 +52,12 @@ inline std::uint16_t widened(std::uint16_t value, int bits)
     for (int shift = 16 - bits; shift > -bits; shift -= bits)
         filled |= shift >= 0 ? std::uint32_t{value} << shift : std::uint32_t{value} >> -shift;
     return static_cast<std::uint16_t>(filled);
+}
+
+/// The same over 8, of files that have no more.
+inline std::uint8_t byte_of(std::uint16_t value, int bits)
+{
+    return static_cast<std::uint8_t>(widened(value, bits) >> 8);
 }
 
 }  // namespace image

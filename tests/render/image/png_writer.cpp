@@ -1,6 +1,5 @@
 #include "render/image/files.h"
 #include "render/image/codecs/io_loader.h"
-#include "render/image/codecs/io_writer.h"
 #include "render/image/codecs/png_writer.h"
 
 #include "tests/support/temporary_folder.h"
@@ -44,20 +43,23 @@ std::vector<std::string> entries(const std::string& path)
     return found;
 }
 
-void check_same_meaning(const Picture& direct, const Picture& library)
+void check_same_meaning(const Picture& direct, const ReadResult& library)
 {
     CHECK(direct.width == library.width);
     CHECK(direct.height == library.height);
     CHECK(direct.channels == library.channels);
     CHECK(direct.bits == library.bits);
     CHECK(direct.srgb == library.srgb);
-    CHECK(direct.file_gamma == library.file_gamma);
-    CHECK(direct.samples.kept == library.samples.kept);
+    CHECK(direct.file_gamma == Approx(library.gamma).epsilon(1e-4));
+    float off = 0.0f;
+    for (std::size_t i = 0; i < direct.samples.size(); ++i)
+        off = std::max(off, std::abs(direct.samples[i] - library.samples[i]));
+    CHECK(off < 1e-6f);
 }
 
 }  // namespace
 
-TEST_CASE("PNG through libpng and through OpenImageIO are the same picture", "[image][files]")
+TEST_CASE("OpenImageIO reads a PNG as the same picture", "[image][files]")
 {
     const support::TemporaryFolder folder;
     const Files files;
@@ -68,16 +70,12 @@ TEST_CASE("PNG through libpng and through OpenImageIO are the same picture", "[i
                  {TransferCurve::srgb(), TransferCurve::power(1.8f), TransferCurve::linear()}) {
                 INFO(channels << " channels of " << bits << " bits, gamma " << curve.approximate_gamma());
                 const Raster raster = ramp(channels, bits);
-                const std::string direct = folder / "direct.png", other = folder / "library.png";
-                files.write(direct, raster, FileType::Png, curve);
-
-                WriteRequest request{};
-                request.format = "png";
-                IoWriter writer(library.get(), other, {raster.width, raster.height, channels, bits, curve, "test"},
-                                request);
-                for (int row = 0; row < raster.height; ++row) writer.put(raster.at(0, row));
-                writer.finish();
-                check_same_meaning(files.read(direct), files.read(other));
+                const std::string path = folder / "direct.png";
+                files.write(path, raster, FileType::Png, curve);
+                ReadResult other{};
+                REQUIRE(library.get().read(path.c_str(), other) == nullptr);
+                check_same_meaning(files.read(path), other);
+                library.get().release(other);
             }
         }
     }

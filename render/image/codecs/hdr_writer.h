@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/image/codecs/row_sink.h"
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace image {
+
+/// Writes Radiance files: three mantissas of 8 bits and their exponent, packed by runs (Ward, Real Pixels, Graphics
+/// Gems II, 1991). Three channels.
+class HdrWriter final : public LevelSink {
+public:
+    HdrWriter(const std::string& path, const FileShape& shape);
+    void put(const float* levels) override;
+    void finish() override;
+
+private:
+    std::ofstream out_;
+    const std::size_t width_;
+    std::vector<std::uint8_t> row_;  ///< all reds, greens, blues, exponents
+    std::string packed_;
+};
+
+}  // namespace image
