@@ -2,7 +2,7 @@
 
 #include "render/app/base/text.h"
 #include "render/app/run/stage_options.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 
 #include <filesystem>
 

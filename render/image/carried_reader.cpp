@@ -1,7 +1,7 @@
 #include "render/image/carried_reader.h"
 
 #include "render/image/base64.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 #include "render/image/entries.h"
 #include "render/image/pixels/passing_failure.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/files.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #include "render/image/fingerprint_reader.h"
 
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 #include "render/image/entries.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // TrueType fonts: the outlines of a text. Seeds are the fonts of the package povray-includes.
 #include "render/font/font.h"
-#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/read/direct_readers.h"
 #include "tests/fuzz/scratch_file.h"
 
 #include <stdexcept>

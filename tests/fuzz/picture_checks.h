@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/read/direct_readers.h"
 #include "render/image/files.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -1,7 +1,7 @@
 #include "parser/grammar/objects/model_looks.h"
 
 #include "parser/stream/files/file_bytes.h"
-#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/read/direct_readers.h"
 #include "render/image/levels/transfer_curve.h"
 #include "render/model/mtl_reader.h"
 #include "render/scene/textures/image_map.h"

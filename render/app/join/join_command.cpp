@@ -5,7 +5,7 @@
 #include "render/app/options/settings.h"
 #include "render/app/run/cancellation.h"
 #include "render/image/channel_writer.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 #include "render/image/picture_writer.h"
 #include "render/layers/layers.h"
 

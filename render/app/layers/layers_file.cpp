@@ -2,7 +2,7 @@
 
 #include "render/app/run/memory.h"
 #include "render/app/run/scene_file.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 #include "render/layers/object_names.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/image/codecs/io_module.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 
 #include <string>
 #include <vector>

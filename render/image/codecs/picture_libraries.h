@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/image/codecs/direct_readers.h"
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/read/direct_readers.h"
+#include "render/image/codecs/write/jpeg_writer.h"
 
 #include <memory>
 #include <string>
@@ -19,9 +19,5 @@ struct PictureLibraries {
 
 inline constexpr const char* kPicturesModule = "libwhittle_pictures.so";
 inline constexpr const char* kPicturesEntry = "whittle_pictures";
-
-/// A JPEG file of 1 or 3 channels, colours at full resolution.
-/// \param quality 1 to 100
-std::unique_ptr<RowSink> jpeg_sink(const std::string& path, const FileShape& shape, int quality);
 
 }  // namespace image

@@ -1,6 +1,6 @@
 #include "render/image/files.h"
 #include "render/image/codecs/io_loader.h"
-#include "render/image/codecs/png_writer.h"
+#include "render/image/codecs/write/png_writer.h"
 
 #include "tests/support/temporary_folder.h"
 

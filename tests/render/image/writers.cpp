@@ -1,9 +1,9 @@
 // Writers of our own, read again by OpenImageIO, which shares no code with them.
-#include "render/image/codecs/bmp_writer.h"
-#include "render/image/codecs/hdr_writer.h"
+#include "render/image/codecs/write/bmp_writer.h"
+#include "render/image/codecs/write/hdr_writer.h"
 #include "render/image/codecs/io_loader.h"
-#include "render/image/codecs/picture_libraries.h"
-#include "render/image/codecs/targa_writer.h"
+#include "render/image/codecs/write/jpeg_writer.h"
+#include "render/image/codecs/write/targa_writer.h"
 #include "render/image/files.h"
 #include "render/image/pixels/passing_failure.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/image/codecs/row_sink.h"
+#include "render/image/codecs/write/row_sink.h"
 
 #include <memory>
 #include <string>

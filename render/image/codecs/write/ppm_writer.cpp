@@ -1,4 +1,4 @@
-#include "render/image/codecs/ppm_writer.h"
+#include "render/image/codecs/write/ppm_writer.h"
 
 #include "render/image/pixels/passing_failure.h"
 

@@ -1,4 +1,4 @@
-#include "render/image/codecs/png_writer.h"
+#include "render/image/codecs/write/png_writer.h"
 
 #include "numbers/instructions.h"
 #include "render/image/pixels/passing_failure.h"

@@ -1,4 +1,5 @@
-#include "render/image/codecs/picture_libraries.h"
+#include "render/image/codecs/write/jpeg_writer.h"
+
 #include "render/image/pixels/passing_failure.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "render/image/codecs/direct_readers.h"
+#include "render/image/codecs/read/direct_readers.h"
 
 #include <gif_lib.h>
 

@@ -1,4 +1,4 @@
-#include "render/image/codecs/hdr_writer.h"
+#include "render/image/codecs/write/hdr_writer.h"
 
 #include "render/image/pixels/passing_failure.h"
 
