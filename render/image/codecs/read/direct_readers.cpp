@@ -41,6 +41,7 @@ std::optional<Picture> decode_directly(const std::string& path, const ByteList& 
     if (begins(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes);
     if (begins(bytes, "GIF8")) return decode_gif(bytes);
     if (begins(bytes, "\xff\xd8\xff")) return decode_jpeg(bytes);
+    if (begins(bytes, "BM")) return decode_bmp(bytes);
     if (is_plain_pnm(bytes)) return decode_pnm(bytes);
     if (begins(bytes, "#?")) return decode_hdr(bytes);
     if (is_plain_targa(path, bytes)) return decode_targa(bytes);
