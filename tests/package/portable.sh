@@ -31,6 +31,9 @@ for release in bullseye bookworm trixie; do
         set -e
         cd /root/scenes
         for scene in *.pov; do whittle $scene +W64 +H48 +O/root/${scene%.pov}.png 2>/root/said || { cat /root/said; exit 1; }; done
+        for type in J T C B H; do  # JPEG, Targa in two forms, BMP, Radiance
+            whittle includes.pov +W64 +H48 +F$type +O/root/type$type 2>/root/said || { cat /root/said; exit 1; }
+        done
         povray +Iincludes.pov +W64 +H48 +O/root/called.png 2>/dev/null
         cd /root
         whittle mesh scenes/includes.pov -o d.stl >/dev/null 2>&1
@@ -54,5 +57,9 @@ for release in bullseye bookworm trixie; do
         expect cmp "$picture" "$place/root/$(basename "${picture#*expected_}")"
     done
     expect cmp "$place/root/called.png" "$scenes/expected_includes.png"
+    for type in J.jpg T.tga C.tga B.bmp H.hdr; do
+        [[ -e $scenes/type$type ]] || "$root/build/release/whittle" "$scenes/includes.pov" +W64 +H48 "+F${type%.*}" "+O$scenes/type$type" 2>/dev/null
+        expect cmp "$scenes/type$type" "$place/root/type$type"
+    done
     echo "runs in $release, $(inside /bin/sh -c 'ldd --version | head -1')"
 done

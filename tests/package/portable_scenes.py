@@ -38,7 +38,7 @@ def main():
     folder.mkdir(parents=True)
     write_pictures(folder)
     scenes = {"includes": INCLUDES, "text": TEXT}
-    for kind, name in [("ppm", "a.ppm"), ("tga", "a.tga")]:
+    for kind, name in [("ppm", "a.ppm"), ("tga", "a.tga"), ("bmp", "a.bmp")]:
         scenes[kind] = SHOWN.replace("KIND", kind).replace("NAME", name)
     scenes["png"] = SHOWN.replace("KIND", "png").replace("NAME", "expected_includes.png")
     for name, text in scenes.items():

@@ -67,6 +67,10 @@ def main():
         run(folder, build / "whittle", "scene.pov", "+W64", "+H48", "+Obuilt.png")
         run(folder, folder / "whittle", "scene.pov", "+W64", "+H48", "+Ounpacked.png")
         assert (folder / "built.png").read_bytes() == (folder / "unpacked.png").read_bytes()
+        for kind, end in {"J": "jpg", "T": "tga", "C": "tga", "B": "bmp", "H": "hdr"}.items():
+            for program, name in ((build / "whittle", "built"), (folder / "whittle", "unpacked")):
+                run(folder, program, "scene.pov", "+W64", "+H48", f"+F{kind}", f"+O{name}.{end}")
+            assert (folder / f"built.{end}").read_bytes() == (folder / f"unpacked.{end}").read_bytes(), end
         called = run(folder, "./povray", "+Iscene.pov", "+W64", "+H48", "+Ocalled.png")
         assert b"Persistence of Vision" in called.stderr or b"Render" in called.stderr, called.stderr  # as POV-Ray speaks
         run(folder, folder / "whittle", "pixel", "scene.pov", "32,24", "+W64", "+H48")
