@@ -46,7 +46,7 @@ Raster runs(int width, int height, int channels, std::uint32_t seed)
     for (int i = 0; i < width * height; ++i) {
         if (left == 0 || --left == 0) {
             for (std::uint16_t& level : pixel) level = static_cast<std::uint16_t>(random() % 3 * 127);
-            left = random() % 2 != 0 ? 1 : 1 + random() % 300;
+            left = random() % 2 != 0 ? 1 : 1 + static_cast<std::uint32_t>(random() % 300);
         }
         raster.samples.insert(raster.samples.end(), pixel.begin(), pixel.end());
     }
