@@ -7,7 +7,6 @@ namespace {
 
 constexpr double kBeside = 1e-3;     // of the way to the middle of a triangle: there the surface is that of its side
 constexpr double kSameSide = 0.999;  // cosine: the normals there and at the vertex are of one side
-constexpr double kLooksAway = 0.5;   // cosine: and no triangle looks so far away from it
 
 }  // namespace
 
@@ -16,7 +15,8 @@ glm::dvec3 Remesher::side_normal(Index v, Index f) const
 {
     const glm::dvec3 x = mesh_.places[v], facing = mesh_.facing[f];
     const Foot foot = foot_of(body_, x + kBeside * (middle_of(f) - x), facing, longest_side(f));
-    if (!foot.found || glm::dot(foot.at.normal, facing) < kLooksAway) return facing;
+    // What bends more from the triangle is another side: beside a corner it may be nearer.
+    if (!foot.found || glm::dot(foot.at.normal, facing) < kSharpTurn) return facing;
     glm::dvec3 own = body_.normal(x, foot.end);
     if (glm::dot(own, foot.at.normal) < 0.0) own = -own;
     return glm::dot(own, foot.at.normal) > kSameSide ? own : foot.at.normal;

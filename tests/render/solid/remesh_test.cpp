@@ -162,6 +162,24 @@ TEST_CASE("a ball's triangles have their corners on it, its normals and no slive
     CHECK(away > std::cos(3.0 / 57.3));
 }
 
+TEST_CASE("a corner's normals are those of its sides where a round face runs out in it", "[solid]")
+{
+    // The ball cuts the lower corners of the prism off, in patches that end where it leaves the faces.
+    const solid::TriangleMesh mesh = remeshed("intersection { #for (I, 0, 5) plane { x, 1.5 rotate 60*I*y } #end "
+                                              "plane { y, 0.3 } plane { -y, 0.7 } sphere { <0, 1, 0>, 2.35 } }",
+                                              0.01);
+    double turned = 0.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& t = mesh.triangles[i];
+        const glm::dvec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 normal = mesh.normals[mesh.normal_of[i][k]];
+            turned = std::max(turned, std::acos(glm::dot(glm::normalize(glm::cross(b - a, c - a)), normal)));
+        }
+    }
+    CHECK(turned < 0.3);  // radians
+}
+
 TEST_CASE("threads make no difference to a mesh", "[solid]")
 {
     const char* const scene = "difference { sphere { 0, 1 } torus { 0.7, 0.4 } }";
