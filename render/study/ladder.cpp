@@ -42,10 +42,10 @@ void add_oversampling(Settings& out)
                                            std::pair(0.03, 4), std::pair(0.03, 5), std::pair(0.01, 5)})
         out.push_back({"antialiasing, method 3",
                        fmt::format("+A{:g} +AM3 +R{}", threshold, depth),
-                       [threshold = threshold, depth = depth](Trial& t) {
+                       [error = threshold, power = depth](Trial& t) {
                            t.options.antialiasing.method = 3;
-                           t.options.antialiasing.threshold = threshold;
-                           t.options.antialiasing.depth = depth;
+                           t.options.antialiasing.threshold = error;
+                           t.options.antialiasing.depth = power;
                        },
                        {fmt::format("+A{:g}", threshold), "+AM3", fmt::format("+R{}", depth), "+AC0.9"},
                        0.0,
