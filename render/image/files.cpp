@@ -1,6 +1,7 @@
 #include "render/image/files.h"
 
 #include "render/image/base64.h"
+#include "render/image/codecs/picture_libraries.h"
 #include "render/image/codecs/write/bmp_writer.h"
 #include "render/image/codecs/read/direct_readers.h"
 #include "render/image/codecs/write/hdr_writer.h"
@@ -10,7 +11,6 @@
 #include "render/image/channel_writer.h"
 #include "render/image/picture_writer.h"
 #include "render/image/codecs/write/png_writer.h"
-#include "render/image/codecs/write/jpeg_writer.h"
 #include "render/image/codecs/write/ppm_writer.h"
 #include "render/image/codecs/write/targa_writer.h"
 #include "render/image/pixels/passing_failure.h"
@@ -104,6 +104,7 @@ Files::Files() : loader_(std::make_shared<IoLoader>()) {}
 void Files::prepare(FileType type) const
 {
     if (type == FileType::OpenExr) loader_->start();
+    if (type == FileType::Jpeg) open_picture_libraries();
 }
 
 double least_bytes(FileType type, int width, int height, const Encoding& encoding)

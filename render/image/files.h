@@ -65,7 +65,7 @@ struct Channels {
 class Files {
 public:
     Files();
-    /// Starts to load in the background what writing this type needs.
+    /// Loads what writing this type needs, or begins to in the background. Throws FileError where that is missing.
     void prepare(FileType type) const;
     /// A picture of this size that comes row by row. Throws FileError, as its methods do.
     std::unique_ptr<PictureWriter> start(const std::string& path, int width, int height,

@@ -14,6 +14,8 @@ const PictureLibraries& libraries()
 
 }  // namespace
 
+void open_picture_libraries() { libraries(); }
+
 Picture decode_png(const ByteList& bytes) { return libraries().png(bytes); }
 Picture decode_gif(const ByteList& bytes) { return libraries().gif(bytes); }
 std::optional<Picture> decode_jpeg(const ByteList& bytes) { return libraries().jpeg(bytes); }

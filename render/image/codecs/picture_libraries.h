@@ -17,6 +17,9 @@ struct PictureLibraries {
     std::unique_ptr<RowSink> (*jpeg_sink)(const std::string& path, const FileShape&, int quality);
 };
 
+/// Opens the module. Throws FileError where there is none.
+void open_picture_libraries();
+
 inline constexpr const char* kPicturesModule = "libwhittle_pictures.so";
 inline constexpr const char* kPicturesEntry = "whittle_pictures";
 

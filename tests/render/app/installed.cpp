@@ -70,5 +70,6 @@ TEST_CASE("a copy of the program says what it lacks before it renders", "[progra
         if (entry.path().filename().string().starts_with("libwhittle_kernel_"))
             fs::copy_file(entry.path(), folder / "bin/" + entry.path().filename().string());
     CHECK(told("+FE") == "whittle: error: the program is not complete: 'libwhittle_image_io.so'" + where);
+    CHECK(told("+FJ") == "whittle: error: the program is not complete: 'libwhittle_pictures.so'" + where);
     CHECK(support::run_program(folder.path(), folder / "bin/whittle", {"scene.pov", "+W8", "+H6"}).status == 0);
 }
