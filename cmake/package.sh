@@ -18,7 +18,7 @@ else
     # The Python package, where it can be built.
     ! ninja -C "$built" -t query whittle_python >/dev/null 2>&1 || build release whittle_python
 fi
-# The same build gives the same bytes.
+# The same commit gives the same bytes.
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$root" log -1 --format=%ct 2>/dev/null || date +%s)}
 (cd "$built" && cpack --config CPackConfig.cmake -B "$built" "${settings[@]}") >&2
 ls "$built"/whittle_*.deb
