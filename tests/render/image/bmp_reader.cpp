@@ -1,5 +1,5 @@
 #include "render/image/codecs/read/direct_readers.h"
-#include "render/image/codecs/write/little_endian.h"
+#include "render/image/codecs/shared/little_endian.h"
 
 #include <catch2/catch.hpp>
 
@@ -120,6 +120,20 @@ TEST_CASE("BMP colours are blue, green, red and alpha", "[image][files]")
     CHECK(level_of(*clear, 0, 0, 3) == 4);
     CHECK_FALSE(decode_bmp(bmp(1, 1, 16, 0, 0, {1, 2, 3, 4})));  // for OpenImageIO
     CHECK_FALSE(decode_bmp(bmp(1, 1, 32, 3, 0, {1, 2, 3, 4})));
+}
+
+TEST_CASE("a BMP of the first header has sizes of two bytes and a palette of three", "[image][files]")
+{
+    // 3x1 of 4 bits: 16 colours (i, 2i, 3i), then 1 2 3.
+    ByteList bytes{'B', 'M', 0, 0, 0, 0, 0, 0, 0, 0, 14 + 12 + 48, 0, 0, 0, 12, 0, 0, 0, 3, 0, 1, 0, 1, 0, 4, 0};
+    for (std::uint8_t i = 0; i < 16; ++i)
+        for (const int times : {3, 2, 1}) bytes.push_back(static_cast<std::uint8_t>(times * i));
+    bytes.insert(bytes.end(), {0x12, 0x30, 0, 0});
+    const auto picture = decode_bmp(bytes);
+    REQUIRE(picture);
+    CHECK(row(*picture, 0) == std::vector<int>{1, 2, 3});
+    CHECK(level_of(*picture, 2, 0, 0) == 3);
+    CHECK(level_of(*picture, 2, 0, 2) == 9);
 }
 
 TEST_CASE("a broken BMP is told from a whole one", "[image][files]")

@@ -1,4 +1,5 @@
 #include "render/image/codecs/read/direct_readers.h"
+#include "render/image/codecs/shared/little_endian.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,12 +15,10 @@ enum Packing : std::uint32_t { kPlain = 0, kRuns8 = 1, kRuns4 = 2 };
 
 FileError ends_early() { return FileError("the BMP file is broken (it ends too early)"); }
 
-std::uint32_t number_at(const ByteList& bytes, std::size_t at, std::size_t length)
+std::uint32_t field(const ByteList& bytes, std::size_t at, std::size_t length)
 {
-    if (at + length > bytes.size()) throw ends_early();
-    std::uint32_t out = 0;
-    for (std::size_t i = 0; i < length; ++i) out |= std::uint32_t{bytes[at + i]} << (8 * i);
-    return out;
+    if (const auto number = number_at(bytes, at, length)) return *number;
+    throw ends_early();
 }
 
 struct BmpHeader {
@@ -33,20 +32,20 @@ struct BmpHeader {
 BmpHeader header_of(const ByteList& bytes)
 {
     BmpHeader out;
-    const std::size_t length = number_at(bytes, kFileHeader, 4);
-    out.pixels = number_at(bytes, 10, 4);
+    const std::size_t length = field(bytes, kFileHeader, 4);
+    out.pixels = field(bytes, 10, 4);
     out.palette = kFileHeader + length;
     if (length == kOldHeader) {
-        out.width = number_at(bytes, 18, 2);
-        out.height = number_at(bytes, 20, 2);
-        out.bits = number_at(bytes, 24, 2);
+        out.width = field(bytes, 18, 2);
+        out.height = field(bytes, 20, 2);
+        out.bits = field(bytes, 24, 2);
         out.color_size = 3;
     } else {
-        out.width = static_cast<std::int32_t>(number_at(bytes, 18, 4));
-        out.height = static_cast<std::int32_t>(number_at(bytes, 22, 4));
-        out.bits = number_at(bytes, 28, 2);
-        out.packing = number_at(bytes, 30, 4);
-        out.colors = number_at(bytes, 46, 4);
+        out.width = static_cast<std::int32_t>(field(bytes, 18, 4));
+        out.height = static_cast<std::int32_t>(field(bytes, 22, 4));
+        out.bits = field(bytes, 28, 2);
+        out.packing = field(bytes, 30, 4);
+        out.colors = field(bytes, 46, 4);
     }
     out.from_above = out.height < 0;
     out.height = std::abs(out.height);

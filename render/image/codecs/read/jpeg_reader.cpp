@@ -1,34 +1,22 @@
 #include "render/image/codecs/read/direct_readers.h"
 
-#include <array>
-#include <csetjmp>
-#include <cstdio>  // jpeglib.h wants it first
-#include <jpeglib.h>
+#include "render/image/codecs/shared/jpeg_errors.h"
+
 #include <utility>
 
 namespace image {
 namespace {
 
-/// libjpeg's decoder and where it jumps to when it fails; what it only warns of is taken as it is.
 struct JpegDecoder {
     jpeg_decompress_struct state{};
-    jpeg_error_mgr errors{};
-    std::jmp_buf failed{};
-    std::array<char, JMSG_LENGTH_MAX> message{};
+    JpegErrors errors;
     std::vector<std::uint8_t> samples;
     volatile bool ready = false;  ///< libjpeg refuses an empty source
 
     explicit JpegDecoder(const ByteList& bytes)
     {
-        state.err = jpeg_std_error(&errors);
-        state.client_data = this;
-        errors.error_exit = [](j_common_ptr at) {
-            auto* self = static_cast<JpegDecoder*>(at->client_data);
-            at->err->format_message(at, self->message.data());
-            std::longjmp(self->failed, 1);
-        };
-        errors.emit_message = [](j_common_ptr, int) {};
-        if (setjmp(failed)) return;
+        errors.take(state);
+        if (setjmp(errors.failed)) return;
         jpeg_create_decompress(&state);
         jpeg_mem_src(&state, bytes.data(), static_cast<unsigned long>(bytes.size()));
         ready = true;
@@ -40,14 +28,14 @@ struct JpegDecoder {
     /// False if libjpeg failed: it leaves by longjmp, so nothing with a destructor may be made in here and in the next.
     bool begin()
     {
-        if (!ready || setjmp(failed)) return false;
+        if (!ready || setjmp(errors.failed)) return false;
         jpeg_read_header(&state, TRUE);
         return true;
     }
     /// Into `samples`, which has its size.
     bool decode()
     {
-        if (setjmp(failed)) return false;
+        if (setjmp(errors.failed)) return false;
         jpeg_start_decompress(&state);
         const std::size_t row = std::size_t{state.output_width} * static_cast<std::size_t>(state.output_components);
         while (state.output_scanline < state.output_height) {
@@ -63,7 +51,7 @@ constexpr std::size_t kMostPixelsPerByte = 1024, kSmall = 65536;
 
 FileError broken(const JpegDecoder& decoder)
 {
-    return FileError("the JPEG file is broken (" + std::string(decoder.message.data()) + ")");
+    return FileError("the JPEG file is broken (" + std::string(decoder.errors.message.data()) + ")");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "render/image/codecs/read/direct_readers.h"
+#include "render/image/codecs/shared/little_endian.h"
 
 #include <array>
 #include <utility>
@@ -16,8 +17,8 @@ enum Kind : std::uint8_t { kPalette = 1, kColors = 2, kGreys = 3, kPacked = 8 };
 
 std::uint32_t pair_at(const ByteList& bytes, std::size_t at)
 {
-    if (at + 1 >= bytes.size()) throw FileError("the Targa file ends too early");
-    return static_cast<std::uint32_t>(bytes[at] | bytes[at + 1] << 8);
+    if (const auto number = number_at(bytes, at, 2)) return *number;
+    throw FileError("the Targa file ends too early");
 }
 
 /// One colour of `bits`: blue, green, red and alpha of 8 bits, or 5 bits of each in two bytes, which stand for the

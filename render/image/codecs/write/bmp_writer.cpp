@@ -1,6 +1,6 @@
 #include "render/image/codecs/write/bmp_writer.h"
 
-#include "render/image/codecs/write/little_endian.h"
+#include "render/image/codecs/shared/little_endian.h"
 #include "render/image/pixels/passing_failure.h"
 
 #include <cerrno>

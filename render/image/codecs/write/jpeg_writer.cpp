@@ -1,47 +1,31 @@
 #include "render/image/codecs/write/jpeg_writer.h"
 
+#include "render/image/codecs/shared/jpeg_errors.h"
 #include "render/image/pixels/passing_failure.h"
 
-#include <array>
 #include <cerrno>
-#include <csetjmp>
-#include <cstdio>  // jpeglib.h wants it first
 #include <cstring>
-#include <jpeglib.h>
 
 namespace image {
 namespace {
 
-/// libjpeg's encoder and where it jumps to when it fails.
 struct JpegEncoder {
     jpeg_compress_struct state{};
-    jpeg_error_mgr errors{};
-    std::jmp_buf failed{};
-    std::array<char, JMSG_LENGTH_MAX> message{};
+    JpegErrors errors;
 
-    JpegEncoder()
-    {
-        state.err = jpeg_std_error(&errors);
-        state.client_data = this;
-        errors.error_exit = [](j_common_ptr at) {
-            auto* self = static_cast<JpegEncoder*>(at->client_data);
-            at->err->format_message(at, self->message.data());
-            std::longjmp(self->failed, 1);
-        };
-        errors.emit_message = [](j_common_ptr, int) {};
-    }
+    JpegEncoder() { errors.take(state); }
     JpegEncoder(const JpegEncoder&) = delete;
     JpegEncoder& operator=(const JpegEncoder&) = delete;
     ~JpegEncoder() { jpeg_destroy_compress(&state); }
 
-    /// Throws what libjpeg could not do. It leaves by longjmp, so nothing with a destructor may be made in `work`.
+    /// Throws what libjpeg could not do.
     template <class Work>
     void run(Work work)
     {
         errno = 0;
-        if (setjmp(failed)) {
+        if (setjmp(errors.failed)) {
             if (errno != 0) fail_by_system(errno);
-            throw FileError(message.data());
+            throw FileError(errors.message.data());
         }
         work();
     }
