@@ -1,5 +1,5 @@
-// Pictures that OpenImageIO reads for us: TIFF, OpenEXR, Radiance, BMP, PPM, Targa with opacity. The first byte chooses
-// the ending.
+// Pictures by the ends of their names: TIFF, OpenEXR and IFF go to OpenImageIO, and what our own readers leave to it. The first
+// byte chooses the end.
 #include "tests/fuzz/picture_checks.h"
 
 #include <array>
