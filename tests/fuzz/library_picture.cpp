@@ -1,5 +1,5 @@
-// Pictures by the ends of their names: TIFF, OpenEXR and IFF go to OpenImageIO, and what our own readers leave to it. The first
-// byte chooses the end.
+// Pictures by the ends of their names: TIFF, OpenEXR and IFF go to OpenImageIO, and what our own readers leave to it.
+// The first byte chooses the end.
 #include "tests/fuzz/picture_checks.h"
 
 #include <array>
