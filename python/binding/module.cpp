@@ -21,6 +21,14 @@ namespace {
 using Strings = std::vector<std::string>;
 using SharedPicture = std::shared_ptr<Picture>;
 
+/// Kernels take the C++ runtime from the program that opens them (cmake/start), and an interpreter keeps it to those
+/// that asked for it: it becomes everybody's.
+void share_runtime()
+{
+    for (const char* const library : {"libstdc++.so.6", "libgcc_s.so.1"})
+        dlopen(library, RTLD_LAZY | RTLD_GLOBAL | RTLD_NOLOAD);
+}
+
 /// Kernels and readers of files stand beside this module in a wheel, where `cmake --install` puts them in a system, and
 /// two folders up in a build.
 void find_modules()
@@ -83,6 +91,7 @@ py::list read_words(const std::shared_ptr<Source>& source, const Strings& option
 
 PYBIND11_MODULE(_whittle, m)
 {
+    share_runtime();
     find_modules();
     register_errors();
     py::class_<Picture, SharedPicture>(m, "Picture")

@@ -1,10 +1,10 @@
 #include "render/app/base/library_path.h"
 
+#include "render/app/base/text.h"
 #include "render/image/codecs/module_path.h"
 
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace app {
 namespace {
@@ -27,9 +27,8 @@ std::vector<std::string> default_library_path()
 {
     std::vector<std::string> folders;
     if (const char* given = std::getenv("WHITTLE_LIBRARY_PATH")) {
-        std::istringstream list(given);
-        for (std::string folder; std::getline(list, folder, ':');)
-            if (!folder.empty()) folders.push_back(folder);
+        for (const std::string_view folder : pieces_of(given, ':'))
+            if (!folder.empty()) folders.emplace_back(folder);
         return folders;
     }
     for (const std::string& root : {own_share(), "/usr/share"s, "/usr/local/share"s}) {

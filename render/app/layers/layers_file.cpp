@@ -25,7 +25,8 @@ LayersTask layers_task(const Run& run, const scene::Description& scene, const st
         throw OptionError("the layer time is that of one run: a part has none, name the other layers");
     if (path.empty() || !settings.output_to_file)
         throw OptionError("--aov writes a file beside the picture's, and the picture has none");
-    if (kBytesPerPixel * settings.width * settings.height > picture_memory(settings))
+    const double bytes = kBytesPerPixel * settings.width * settings.height;
+    if (bytes > picture_memory(settings, bytes))
         throw OptionError("not enough memory is free for the layers of so large a picture");
     const auto text_of = [&run](const std::string& file) {
         return run.input ? *run.input : text_on_disk(file).value_or("");

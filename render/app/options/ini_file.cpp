@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 namespace app {
 
@@ -119,11 +118,11 @@ void apply_ini_text(Settings& settings, const std::string& text, const std::stri
         ~Level() { --nested; }
     } level;
     if (nested > kMostNested) throw OptionError(file_name + ": INI files name each other without end");
-    std::istringstream lines(text);
-    std::string line;
     bool applies = true, found = section.empty();
     std::vector<std::string> sections;
-    for (int number = 1; std::getline(lines, line); ++number) {
+    int number = 0;
+    for (const std::string_view line : pieces_of(text, '\n')) {
+        ++number;
         const std::string_view content = trimmed(without_comment(line));
         if (content.empty()) continue;
         if (content.front() == '[') {

@@ -39,13 +39,14 @@ BlocksOf blocks_of(const PictureTask& task, const trace::Blocks& blocks)
 
 PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
     : task_(task), settings_(task.run.settings), times_(times), blocks_(task.compiled.options),
-      strip_(rows_of_blocks_in(picture_memory(settings_), blocks_, settings_.width, settings_.height, task.file.type)),
+      strip_(rows_of_blocks_in(picture_memory(settings_, picture_bytes(settings_)), blocks_, settings_.width,
+                               settings_.height, task.file.type)),
       in_strips_(strip_ < blocks_.rows())
 {
     const double samples =
         (trace::SampledPicture::kBytesPerPixel + (settings_.denoise ? trace::PathFeatures::kBytesPerPixel : 0.0)) *
         settings_.width * settings_.height;
-    if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_)))
+    if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_, samples)))
         throw TryAgain("not enough memory is free for the samples of so large a picture");
     if (in_strips_ && !task.layers.kinds.empty())
         throw TryAgain("not enough memory is free for the layers of so large a picture");

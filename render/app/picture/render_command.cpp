@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <iostream>
 #include <iterator>
 
 namespace app {
@@ -87,7 +86,7 @@ int run_scene(const Settings& settings, Streams& streams, ConsoleReporter& repor
             reporter.note(fmt::format("accepted without effect for now: {}", fmt::join(settings.not_acted_on, ", ")));
         write_effective_ini(settings);
         Run run{settings, frames_of(settings), {}, streams, reporter, cancel, remains, {}};
-        if (from_standard_input(settings)) run.input = std::string(std::istreambuf_iterator<char>(std::cin), {});
+        if (from_standard_input(settings)) run.input = files::rest_of(stdin);
         const bool traces = !settings.parse_only && settings.dump == Settings::Dump::None;
         if (traces) trace::load_kernel(isa_of(settings));
         if (traces && settings.output_to_file && settings.shards == 0) run.files.prepare(settings.file_type);

@@ -1,5 +1,6 @@
 #include "render/app/run/allocation.h"
 
+#include "render/app/base/text.h"
 #include "render/files/whole_file.h"
 
 #include <sched.h>
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
+#include <limits>
 #include <vector>
 
 namespace app {
@@ -24,17 +25,6 @@ double number_of(const std::string& text)
     return end == text.c_str() || number < 0.0 || number > kNoLimit ? kUnlimited : number;
 }
 
-/// The number behind a word in lines of `word number`; 0 if it is not there.
-double number_after(const std::string& text, const std::string& wanted)
-{
-    std::istringstream in(text);
-    std::string word;
-    double number = 0.0;
-    while (in >> word >> number)
-        if (word == wanted) return number;
-    return 0.0;
-}
-
 /// A folder below which the group's own and those above it lie, and the path from there.
 struct Group {
     std::string root, path;
@@ -44,11 +34,10 @@ struct Group {
 std::vector<Group> groups_of(const std::string& membership, const std::string& controller)
 {
     std::vector<Group> groups;
-    std::istringstream lines(membership);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string_view line : pieces_of(membership, '\n')) {
         const std::size_t first = line.find(':'), second = line.find(':', first + 1);
         if (second == std::string::npos) continue;
-        const std::string names = line.substr(first + 1, second - first - 1), path = line.substr(second + 1);
+        const std::string names(line.substr(first + 1, second - first - 1)), path(line.substr(second + 1));
         if (names.empty()) groups.push_back({"/sys/fs/cgroup", path});  // version 2
         else if (("," + names + ",").find("," + controller + ",") != std::string::npos)
             groups.push_back({"/sys/fs/cgroup/" + controller, path});
@@ -68,8 +57,9 @@ void for_each_folder(const Group& group, Look look)
 /// Files that were read and can go again count as used in a group: they are left.
 double left_of(double limit, double used, const std::string& statistics, const char* kept)
 {
-    return std::isinf(limit) ? limit
-                             : std::max(0.0, limit - (std::isinf(used) ? 0.0 : used) + number_after(statistics, kept));
+    return std::isinf(limit)
+               ? limit
+               : std::max(0.0, limit - (std::isinf(used) ? 0.0 : used) + number_after(statistics, kept).value_or(0.0));
 }
 
 double memory_of_groups(const SystemFile& file, const std::string& membership)
@@ -118,35 +108,54 @@ double memory_of_slurm(const Variable& variable, double cores)
     return std::isinf(core) || core <= 0.0 ? kUnlimited : core * kMega * (std::isinf(cores) ? 1.0 : cores);
 }
 
-}  // namespace
+double cores_of_task(const Variable& variable) { return number_of(variable("SLURM_CPUS_PER_TASK")); }
 
-Allocation allocation_of(const SystemFile& file, const Variable& variable)
+std::string text_of_system(const std::string& path) { return files::whole_file_if(path).value_or(std::string()); }
+
+std::string variable_of_process(const char* name)
 {
-    const std::string membership = file("/proc/self/cgroup");
-    const double task = number_of(variable("SLURM_CPUS_PER_TASK"));
-    const double cores = std::min(cores_of_groups(file, membership), task);
-    Allocation out;
-    if (!std::isinf(cores)) out.threads = std::max(1, static_cast<int>(std::ceil(cores)));
-    out.memory = std::min(memory_of_groups(file, membership), memory_of_slurm(variable, task));
-    return out;
+    const char* const value = std::getenv(name);
+    return value != nullptr ? value : "";
 }
 
-const Allocation& allocation()
+}  // namespace
+
+std::optional<double> number_after(std::string_view text, std::string_view word)
 {
-    static const Allocation of_process = [] {
-        const auto file = [](const std::string& path) { return files::whole_file_if(path).value_or(std::string()); };
-        const auto variable = [](const char* name) {
-            const char* const value = std::getenv(name);
-            return std::string(value != nullptr ? value : "");
-        };
-        Allocation out = allocation_of(file, variable);
+    for (const std::string_view line : pieces_of(text, '\n'))
+        if (line.size() > word.size() && line.starts_with(word) && is_blank(line[word.size()]))
+            return std::strtod(std::string(line.substr(word.size())).c_str(), nullptr);
+    return {};
+}
+
+int threads_of_task(const SystemFile& file, const Variable& variable)
+{
+    const double cores = std::min(cores_of_groups(file, file("/proc/self/cgroup")), cores_of_task(variable));
+    return std::isinf(cores) ? 0 : std::max(1, static_cast<int>(std::ceil(cores)));
+}
+
+double memory_of_task(const SystemFile& file, const Variable& variable)
+{
+    return std::min(memory_of_groups(file, file("/proc/self/cgroup")),
+                    memory_of_slurm(variable, cores_of_task(variable)));
+}
+
+int allocated_threads()
+{
+    static const int threads = [] {
+        const int limit = threads_of_task(text_of_system, variable_of_process);
         cpu_set_t may_run;
         CPU_ZERO(&may_run);
         const int bound = sched_getaffinity(0, sizeof may_run, &may_run) == 0 ? CPU_COUNT(&may_run) : 0;
-        if (bound > 0 && out.threads > bound) out.threads = bound;
-        return out;
+        return bound > 0 ? std::min(limit, bound) : limit;
     }();
-    return of_process;
+    return threads;
+}
+
+double allocated_memory()
+{
+    static const double memory = memory_of_task(text_of_system, variable_of_process);
+    return memory;
 }
 
 }  // namespace app

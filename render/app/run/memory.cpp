@@ -3,6 +3,7 @@
 #include "render/app/run/allocation.h"
 #include "render/app/run/exit_status.h"
 #include "render/app/run/stage_options.h"
+#include "render/files/whole_file.h"
 
 #include <sys/resource.h>
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <string>
 #include <system_error>
@@ -23,15 +23,11 @@ namespace {
 /// Of a strip. More saves nothing: threads wait for each other once a strip, for the time of a block.
 constexpr double kStrip = 256e6;
 
-/// Bytes after a word in a file of `word number kB` lines; infinite if it is not there.
-double kilobytes_of(const char* file, const std::string& wanted)
+/// Bytes that the system has left; infinite if it does not tell.
+double left_to_all()
 {
-    std::ifstream in(file);
-    std::string word;
-    double number = 0.0;
-    while (in >> word)
-        if (word == wanted && in >> number) return number * 1024.0;
-    return std::numeric_limits<double>::infinity();
+    const std::string text = files::whole_file_if("/proc/meminfo").value_or(std::string());
+    return number_after(text, "MemAvailable:").value_or(std::numeric_limits<double>::infinity()) * 1024.0;
 }
 
 double process_limit()
@@ -76,10 +72,14 @@ image::Encoding asked_encoding(const Settings& settings)
 
 }  // namespace
 
-double picture_memory(const Settings& settings)
+double picture_bytes(const Settings& settings) { return kTracedPixelBytes * settings.width * settings.height; }
+
+double picture_memory(const Settings& settings, double needed)
 {
+    constexpr double kFew = 24e6;
     if (settings.memory > 0.0) return settings.memory;
-    return std::min({kilobytes_of("/proc/meminfo", "MemAvailable:"), allocation().memory, process_limit()}) / 2.0;
+    if (needed <= kFew) return std::numeric_limits<double>::infinity();
+    return std::min({left_to_all(), allocated_memory(), process_limit()}) / 2.0;
 }
 
 std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int width, int height, image::FileType type)
@@ -101,14 +101,14 @@ void check_fits(const Settings& settings, const std::string& path)
     if (written && std::max(settings.width, settings.height) > side)
         throw OptionError(fmt::format(
             "{} does not fit into this output file type, whose sides are at most {}: use +FN, +FP or +FE", size, side));
-    const double memory = picture_memory(settings);
+    const double memory = picture_memory(settings, picture_bytes(settings));
     const trace::Blocks blocks(plan_options(settings));
     const image::FileType type = written ? settings.file_type : image::FileType::Png;
     if (rows_of_blocks_in(memory, blocks, settings.width, settings.height, type) == 0) {
         if (type == image::FileType::Bmp)
             throw OptionError(fmt::format(
                 "{} takes {} of memory, and {} may be used: a BMP cannot grow row by row, use +FN, +FP or +FE", size,
-                readable(kTracedPixelBytes * settings.width * settings.height), readable(memory)));
+                readable(picture_bytes(settings)), readable(memory)));
         const std::string text = fmt::format("a row of blocks of {} takes {} of memory, and {} may be used: smaller "
                                              "blocks (+BS) or a smaller picture fit",
                                              size, readable(kTracedPixelBytes * settings.width * blocks.side()),

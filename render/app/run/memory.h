@@ -13,8 +13,12 @@ namespace app {
 /// Bytes of a traced pixel.
 inline constexpr double kTracedPixelBytes = 16.0;
 
+/// Bytes of the traced picture.
+double picture_bytes(const Settings& settings);
+
 /// What a picture's pixels may take: --memory, or half of what the system, the control group and the process have left.
-double picture_memory(const Settings& settings);
+/// Nobody is asked, and it is infinite, where few bytes are needed: the program itself takes as many.
+double picture_memory(const Settings& settings, double needed);
 
 /// Rows [first, last) of blocks that are in memory at a time; all of them where the picture fits.
 /// \param memory bytes \return rows of blocks; 0: not even one fits

@@ -134,7 +134,7 @@ bool from_standard_input(const Settings& settings)
 
 int threads_of(const Settings& settings)
 {
-    return trace::threads_of(settings.threads > 0 ? settings.threads : allocation().threads);
+    return trace::threads_of(settings.threads > 0 ? settings.threads : allocated_threads());
 }
 
 trace::Isa isa_of(const Settings& settings)

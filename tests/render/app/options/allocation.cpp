@@ -15,10 +15,16 @@ std::string found(const Texts& texts, const std::string& name)
     return at == texts.end() ? std::string() : at->second;
 }
 
-app::Allocation allocation(const Texts& files, const Texts& variables = {})
+struct Allocation {
+    int threads;
+    double memory;
+};
+
+Allocation allocation(const Texts& files, const Texts& variables = {})
 {
-    return app::allocation_of([&](const std::string& path) { return found(files, path); },
-                              [&](const char* name) { return found(variables, name); });
+    const auto file = [&](const std::string& path) { return found(files, path); };
+    const auto variable = [&](const char* name) { return found(variables, name); };
+    return {app::threads_of_task(file, variable), app::memory_of_task(file, variable)};
 }
 
 const std::string kGroups = "/sys/fs/cgroup";
@@ -75,4 +81,14 @@ TEST_CASE("what Slurm reserves counts, and the variable of another program does 
     CHECK(allocation({}, {{"SLURM_MEM_PER_NODE", "2"}}).memory == 2.0 * 1024 * 1024);
     CHECK(std::isinf(allocation({}, {{"SLURM_MEM_PER_NODE", "0"}}).memory));
     CHECK(allocation({}, {{"SLURM_MEM_PER_CPU", "2"}, {"SLURM_CPUS_PER_TASK", "3"}}).memory == 6.0 * 1024 * 1024);
+}
+
+TEST_CASE("numbers of a file of the system are found by the word that begins their line", "[app][allocation]")
+{
+    const std::string text = "MemTotal:       24683620 kB\nMemFree:         123 kB\nMemAvailable:   456 kB\nx 7";
+    CHECK(app::number_after(text, "MemAvailable:") == 456.0);
+    CHECK(app::number_after(text, "x") == 7.0);
+    CHECK_FALSE(app::number_after(text, "Mem"));
+    CHECK_FALSE(app::number_after(text, "kB"));
+    CHECK_FALSE(app::number_after("", "x"));
 }
