@@ -174,6 +174,14 @@ std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const c
     return known;
 }
 
+/// Of a union that is taken apart. Of what coincides the first item is seen; of a union that POV-Ray keeps whole the
+/// last operand (spec 5a, 2.2).
+void GeometryCompiler::add_operands(const scene::Csg& csg, const Inherited& own)
+{
+    const std::size_t count = csg.operands->size();
+    for (std::size_t i = 0; i < count; ++i) add_top((*csg.operands)[outer_bounds_.nested ? count - 1 - i : i], own);
+}
+
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
 {
     if (is_light(object)) return;
@@ -183,24 +191,25 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
     const bool whole = !object.details->clipped_by.empty() || object.inverse;
     if (csg != nullptr && add_instance(object, own)) return;
     const bool bounded = csg != nullptr && !drops_bounds(object, outer_bounds_.nested);
-    // POV-Ray keeps a bounded union whole, which only shows where parts are hidden (spec 3, 14; 5a, 11.1).
-    const bool kept = whole || (bounded && hides_parts(*csg));
-    if (csg != nullptr && csg->op == scene::CsgOp::Union && csg->split_union && !kept) {
+    // POV-Ray keeps a bounded union whole, and one that is not to be split, which shows where parts are hidden and in
+    // the order of what coincides (spec 3, 14; 5a, 2.2 and 11.1).
+    const bool unit = bounded || (csg != nullptr && !csg->split_union);
+    const bool kept = whole || (unit && hides_parts(*csg));
+    if (csg != nullptr && csg->op == scene::CsgOp::Union && !kept) {
         ++split_unions_;
         const OuterBounds outer = outer_bounds_;
-        if (bounded) {
-            must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
+        if (unit) {
+            if (bounded) must_meet(object, above.to_world, above.growth, outer_bounds_.guard);
             if (!outer.nested) outer_bounds_.box = plan::placed_extent(object, above.to_world, above.growth);
             outer_bounds_.nested = true;
             Inherited whole_target = own;
             aim_photons(object, whole_target);
             const std::size_t first = world_->items.size();
-            for (const scene::Object& operand : *csg->operands) add_top(operand, whole_target);
+            add_operands(*csg, whole_target);
             if (!outer.nested) world_->test_box_since(first, outer_bounds_.box);
-            outer_bounds_ = outer;
-            return;
+        } else {
+            add_operands(*csg, own);
         }
-        for (const scene::Object& operand : *csg->operands) add_top(operand, own);
         outer_bounds_ = outer;
         return;
     }

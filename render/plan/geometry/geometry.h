@@ -65,6 +65,7 @@ private:
     /// The same of an operand of what stays whole, whose own `no_shadow` has no effect (spec 3, 14).
     Inherited within(const scene::Object& operand, const Inherited& whole);
     void add_top(const scene::Object& object, const Inherited& above);
+    void add_operands(const scene::Csg& csg, const Inherited& own);
     void add_guard(const scene::Object& object, const Inherited& own);
     csg::BoundingGuard clip_guard(const scene::Object& object, const Inherited& own);
     /// Of the space that the object stands in, where `own` is its own.
