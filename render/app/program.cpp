@@ -70,8 +70,7 @@ void begin_heap_with_large_pages(int grown)
     const auto at = reinterpret_cast<std::uintptr_t>(first), begin = (at + kFirst + kHeader + kPage) / kPage * kPage,
                end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / kPage * kPage;
     if (begin >= end || end - begin > kRoom) return std::free(first);  // elsewhere than in the heap
-    void* const pages = reinterpret_cast<void*>(begin);
-    if (!scene::take_large_page(pages, end - begin)) madvise(pages, end - begin, MADV_NOHUGEPAGE);
+    scene::take_large_pages(reinterpret_cast<void*>(begin), end - begin);
     // What lies before the first large page is left out for good: it is never touched.
     static const void* const before_pages = std::realloc(first, begin - at - kHeader);
     static_cast<void>(before_pages);
@@ -83,8 +82,8 @@ void begin_heap_with_large_pages(int grown)
 void keep_freed_memory()
 {
 #if defined(__GLIBC__)
-    constexpr int kLargest = 32 << 20, kMostKept = 512 << 20, kAtOnce = 4 << 20;  // bytes
-    mallopt(M_MMAP_THRESHOLD, kLargest);
+    constexpr int kMostKept = 512 << 20, kAtOnce = 4 << 20;  // bytes
+    mallopt(M_MMAP_THRESHOLD, kMapped);
     mallopt(M_TRIM_THRESHOLD, kMostKept);
     begin_heap_with_large_pages(kAtOnce);
 #endif

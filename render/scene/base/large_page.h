@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace scene {
 
@@ -43,6 +44,18 @@ inline bool take_large_page(void* memory, std::size_t bytes)
     const double before = thread_seconds();
     *static_cast<volatile char*>(memory) = 0;
     return thread_seconds() - before < std::max(kClearing, kTouched * small_page_time());
+}
+
+/// Has the memory in pages of 2 MB as far as it holds whole ones, unless the first of them is slow. It is the caller's
+/// and not yet used.
+inline void take_large_pages(void* memory, std::size_t bytes)
+{
+    const auto at = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t begin = (at + kLargePage - 1) / kLargePage * kLargePage,
+                         end = (at + bytes) / kLargePage * kLargePage;
+    if (begin >= end) return;
+    void* const pages = reinterpret_cast<void*>(begin);
+    if (!take_large_page(pages, end - begin)) madvise(pages, end - begin, MADV_NOHUGEPAGE);
 }
 
 }  // namespace scene

@@ -1,5 +1,7 @@
 #include "render/app/run/memory.h"
 
+#include "render/scene/base/large_page.h"
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -11,8 +13,8 @@
 #include <string_view>
 #include <system_error>
 
-// Memory that the system refuses is told with its size: the standard's std::bad_alloc says its own name. Nothing here
-// may allocate.
+// Memory of the program: what the system refuses is told with its size, for the standard's std::bad_alloc says its own
+// name, and what malloc maps by itself comes in large pages. Nothing here may allocate.
 namespace app {
 namespace {
 
@@ -87,6 +89,7 @@ void* operator new(std::size_t bytes)
 {
     void* const memory = std::malloc(bytes == 0 ? 1 : bytes);
     if (!memory) app::refuse_memory(bytes);
+    if (bytes >= app::kMapped) scene::take_large_pages(memory, bytes);
     return memory;
 }
 
@@ -95,6 +98,7 @@ void* operator new(std::size_t bytes, std::align_val_t alignment)
     const auto step = static_cast<std::size_t>(alignment);
     void* const memory = std::aligned_alloc(step, (bytes + step - 1) / step * step);
     if (!memory) app::refuse_memory(bytes);
+    if (bytes >= app::kMapped) scene::take_large_pages(memory, bytes);
     return memory;
 }
 
