@@ -79,75 +79,140 @@ private:
         const Hit hit = tile_.hits.at(static_cast<int>(k));
         const HitPlace place = tile_.place(k, tile_.state(k), hit);
         const bool shiny = context_.bounce == 0 && (finish.phong > 0.0f || finish.specular > 0.0f);
-        const bool in_lanes = shiny && !scalar;
+        const bool tinted = finish.irid > 0.0f || finish.metallic > 0.0f || scalar;
         glm::vec3 sum(0);
-        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
-        alignas(64) std::array<double, csg::lanes::kDoubles> strengths, raised;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const std::size_t lane = i % strengths.size();
-            if (in_lanes && lane == 0) find_strengths(met, i, strengths.data());
-            if (lane == 0) find_raised(met, i, raised.data());
-            const PhotonRay& photon = map_.ray(found[i].photon);
-            const glm::dvec3 back(photon.back);
-            bool behind = false;
-            if (!surface.double_illuminate && glm::dot(normal, back) < kNearlyZero) {
-                if (finish.diffuse_back == 0.0f) continue;
-                behind = true;
+        const std::size_t count = scratch_.photons.near.found.size();
+        for (std::size_t first = 0; first < count; first += kLanes) {
+            const std::size_t here = std::min(kLanes, count - first);
+            const Arriving photons = arriving(first);
+            Lanes strengths{}, facing, opening, raised;
+            find_cosines(photons, normal, raw, facing, opening);
+            find_raised(finish, facing, raised);
+            if (shiny && !scalar) find_strengths(met, photons, strengths);
+            if (!tinted) {
+                add_untinted(met, photons, !surface.double_illuminate, {facing, opening, raised, strengths}, here, sum);
+                continue;
             }
-            const glm::vec3 color = photon.flux / static_cast<float>(std::clamp(glm::dot(raw, back), kFlattest, 1.0));
-            const double strength = behind || !shiny ? 0.0 : in_lanes ? strengths[lane] : highlight(met, back);
-            glm::vec3 gained = surface_light(met, back, color, behind, strength, 0.0, [&] { return raised[lane]; });
-            if (finish.irid > 0.0f) gained *= film_color(context_, place, finish, normal, back);
-            sum += gained;
+            for (std::size_t lane = 0; lane < here; ++lane) {
+                const bool behind = !surface.double_illuminate && facing[lane] < kNearlyZero;
+                if (behind && finish.diffuse_back == 0.0f) continue;
+                const glm::dvec3 back(photons.x[lane], photons.y[lane], photons.z[lane]);
+                const glm::vec3 flux(photons.red[lane], photons.green[lane], photons.blue[lane]);
+                const double strength = behind || !shiny ? 0.0 : scalar ? highlight(met, back) : strengths[lane];
+                glm::vec3 gained = surface_light(met, back, flux / static_cast<float>(opening[lane]), behind, strength,
+                                                 0.0, [&] { return raised[lane]; });
+                if (finish.irid > 0.0f) gained *= film_color(context_, place, finish, normal, back);
+                sum += gained;
+            }
         }
         return sum;
     }
 
-    /// Strengths of the highlights of photons from the first-th on, a vector of them; none behind the last.
-    void find_strengths(const LitLayer& met, std::size_t first, double* out) const
+    static constexpr std::size_t kLanes = csg::lanes::kDoubles;
+    using Lanes = std::array<double, kLanes>;
+
+    /// A vector of photons: unit vectors to where they came from, and what they bring.
+    struct Arriving {
+        alignas(64) Lanes x, y, z;
+        alignas(64) std::array<float, kLanes> red, green, blue;
+    };
+
+    /// Of those that were found, from the first-th on; the last again where there are no more.
+    Arriving arriving(std::size_t first) const
+    {
+        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
+        Arriving out;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const PhotonRay& photon = map_.ray(found[std::min(first + lane, found.size() - 1)].photon);
+            const glm::dvec3 back(photon.back);
+            out.x[lane] = back.x, out.y[lane] = back.y, out.z[lane] = back.z;
+            out.red[lane] = photon.flux.x, out.green[lane] = photon.flux.y, out.blue[lane] = photon.flux.z;
+        }
+        return out;
+    }
+
+    /// Cosines with the layer's normal, and with the surface's own: those that come in flat count as if they came less
+    /// so.
+    static void find_cosines(const Arriving& photons, const glm::dvec3& normal, const glm::dvec3& raw, Lanes& facing,
+                             Lanes& opening)
+    {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const glm::dvec3 back(photons.x[lane], photons.y[lane], photons.z[lane]);
+            facing[lane] = glm::dot(normal, back);
+            opening[lane] = std::clamp(glm::dot(raw, back), kFlattest, 1.0);
+        }
+    }
+
+    /// raised_facing() of each.
+    static void find_raised(const texture::Finish& finish, const Lanes& facing, Lanes& raised)
+    {
+        using csg::lanes::Double;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) raised[lane] = std::abs(facing[lane]);
+        if (finish.brilliance == 1.0f) return;
+        numbers::pow(Double::load_unaligned(raised.data()), Double(static_cast<double>(finish.brilliance)))
+            .store_unaligned(raised.data());
+    }
+
+    static void find_strengths(const LitLayer& met, const Arriving& photons, Lanes& strengths)
     {
         using csg::lanes::Double;
         const auto all = [](const glm::dvec3& v) { return LaneVectors{Double(v.x), Double(v.y), Double(v.z)}; };
         const auto amount = [](float f) { return Double(static_cast<double>(f)); };
-        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
-        constexpr std::size_t kLanes = csg::lanes::kDoubles;
-        alignas(64) double x[kLanes], y[kLanes], z[kLanes];
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const glm::dvec3 back(map_.ray(found[std::min(first + lane, found.size() - 1)].photon).back);
-            x[lane] = back.x, y[lane] = back.y, z[lane] = back.z;
-        }
         const texture::Finish& f = met.finish;
         highlight_strengths(all(met.direction), all(met.normal),
-                            {Double::load_aligned(x), Double::load_aligned(y), Double::load_aligned(z)},
+                            {Double::load_aligned(photons.x.data()), Double::load_aligned(photons.y.data()),
+                             Double::load_aligned(photons.z.data())},
                             {amount(f.phong), amount(f.phong_size), amount(f.specular), amount(f.specular_exponent)},
                             (1u << kLanes) - 1)
-            .store_aligned(out);
+            .store_unaligned(strengths.data());
     }
 
-    /// raised_facing() of as many photons.
-    void find_raised(const LitLayer& met, std::size_t first, double* out) const
+    struct Strengths {
+        const Lanes &facing, &opening, &raised, &highlights;
+    };
+
+    /// surface_light() of photons whose highlights have the light's own colour, for the compiler to put into lanes; one
+    /// after the other they are added.
+    static void add_untinted(const LitLayer& met, const Arriving& photons, bool one_sided, const Strengths& of,
+                             std::size_t count, glm::vec3& sum)
     {
-        using csg::lanes::Double;
-        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
-        for (std::size_t lane = 0; lane < csg::lanes::kDoubles; ++lane) {
-            const glm::dvec3 back(map_.ray(found[std::min(first + lane, found.size() - 1)].photon).back);
-            out[lane] = std::abs(glm::dot(met.normal, back));
+        const double front = static_cast<double>(met.finish.diffuse) * met.alpha,
+                     back = static_cast<double>(met.finish.diffuse_back) * met.alpha;
+        const glm::vec3 pigment = met.pigment.rgb();
+        std::array<float, kLanes> red, green, blue;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const bool behind = one_sided && of.facing[lane] < kNearlyZero;
+            const auto diffuse = static_cast<float>(of.raised[lane] * (behind ? back : front)),
+                       highlight = static_cast<float>(behind ? 0.0 : of.highlights[lane]),
+                       opening = static_cast<float>(of.opening[lane]);
+            const float r = photons.red[lane] / opening, g = photons.green[lane] / opening,
+                        b = photons.blue[lane] / opening;
+            red[lane] = diffuse * pigment.x * r + highlight * r;
+            green[lane] = diffuse * pigment.y * g + highlight * g;
+            blue[lane] = diffuse * pigment.z * b + highlight * b;
         }
-        const float brilliance = met.finish.brilliance;
-        if (brilliance == 1.0f) return;
-        numbers::pow(Double::load_aligned(out), Double(static_cast<double>(brilliance))).store_aligned(out);
+        for (std::size_t lane = 0; lane < count; ++lane) sum += glm::vec3(red[lane], green[lane], blue[lane]);
     }
 
     /// Of diffuse light alone.
     glm::vec3 plain_row(std::size_t k, const RowPage& at, const glm::dvec3& normal) const
     {
+        constexpr std::size_t kMany = 16;
         const glm::vec3 n(normal), raw(scratch_.hits.normal(k));
+        const std::vector<NearPhotons::Near>& found = scratch_.photons.near.found;
         glm::vec3 sum(0);
-        for (const NearPhotons::Near& near : scratch_.photons.near.found) {
-            const PhotonRay& photon = map_.ray(near.photon);
-            const float facing = glm::dot(n, photon.back);
-            const float share = facing < kDark ? 0.0f : facing;
-            sum += photon.flux * (share / std::clamp(glm::dot(raw, photon.back), static_cast<float>(kFlattest), 1.0f));
+        for (std::size_t first = 0; first < found.size(); first += kMany) {
+            const std::size_t count = std::min(kMany, found.size() - first);
+            std::array<float, kMany> share{}, opening{};
+            std::array<const PhotonRay*, kMany> photons;
+            for (std::size_t i = 0; i < count; ++i) {
+                photons[i] = &map_.ray(found[first + i].photon);
+                share[i] = glm::dot(n, photons[i]->back);
+                opening[i] = glm::dot(raw, photons[i]->back);
+            }
+            for (std::size_t i = 0; i < kMany; ++i)
+                share[i] = (share[i] < kDark ? 0.0f : share[i]) / std::clamp(opening[i], static_cast<float>(kFlattest), 1.0f);
+            for (std::size_t i = 0; i < count; ++i) sum += photons[i]->flux * share[i];
         }
         return sum * at.pigment[k] * static_cast<float>(at.diffuse[k]);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "numbers/lane_power.h"
 #include "render/texture/finish.h"
 #include "render/kernel/tile/row_page.h"
 
@@ -9,46 +10,6 @@
 /// the bits of texture::phong and texture::specular, the powers are within 1e-13 of theirs
 /// (tests/render/trace/highlight_test.cpp).
 namespace trace {
-
-/// ln 2; the high part times an exponent is exact.
-inline constexpr double kLn2High = 0x1.62e42fefa38p-1, kLn2Low = 0x1.ef35793c7673p-45;
-
-/// ln c of positive numbers by 2 artanh((c - 1) / (c + 1)). Sums and products alone, not xsimd's fused ones: the same
-/// bits for every instruction set.
-inline csg::lanes::Double logarithm(const csg::lanes::Double& c)
-{
-    using csg::lanes::Double;
-    xsimd::batch<std::int64_t> exponent;
-    const Double half = xsimd::frexp(c, exponent);  // in [0.5, 1)
-    const auto low = half < Double(0x1.6a09e667f3bcdp-1);
-    const Double m = xsimd::select(low, half + half, half),
-                 e = xsimd::to_float(exponent) - xsimd::select(low, Double(1.0), Double(0.0));
-    const Double f = (m - 1.0) / (m + 1.0), s = f * f;
-    Double sum(1.0 / 23.0);
-    for (int k = 21; k > 1; k -= 2) sum = sum * s + 1.0 / k;
-    return e * kLn2High + (e * kLn2Low + 2.0 * (f + f * s * sum));
-}
-
-/// e^y for -700 < y <= 700, by its series about the nearest power of 2.
-inline csg::lanes::Double exponential(const csg::lanes::Double& y)
-{
-    using csg::lanes::Double;
-    const Double k = xsimd::nearbyint(y * 0x1.71547652b82fep0);
-    const Double r = (y - k * kLn2High) - k * kLn2Low;
-    Double sum(1.0 / 6227020800.0);  // 1 / 13!
-    double inverse = 1.0 / 479001600.0;
-    for (int i = 12; i >= 0; --i) {
-        sum = sum * r + inverse;
-        inverse *= i;
-    }
-    return xsimd::ldexp(sum, xsimd::to_int(k));
-}
-
-/// c^n, 0 < c <= 1, n >= 0; what is below e^-700 is that.
-inline csg::lanes::Double power(const csg::lanes::Double& c, const csg::lanes::Double& n)
-{
-    return exponential(xsimd::max(n * logarithm(c), csg::lanes::Double(-700.0)));
-}
 
 /// Vectors of three components, one in each lane.
 struct LaneVectors {
@@ -71,7 +32,7 @@ inline csg::lanes::Double highlight_strengths(const LaneVectors& d, const LaneVe
     const auto term = [&](const auto& on, const Double& cosine, const Double& exponent, const Double& amount) {
         const auto seen = on & (exponent * (one - cosine) <= Double(texture::kVanishes));
         if ((csg::lanes::mask(seen) & asked) == 0) return zero;
-        return xsimd::select(seen, amount * power(xsimd::select(seen, cosine, one), exponent), zero);
+        return xsimd::select(seen, amount * csg::lanes::power(xsimd::select(seen, cosine, one), exponent), zero);
     };
     const auto has_phong = lobe.phong > zero, has_specular = lobe.specular > zero;
     Double sum = zero;

@@ -30,7 +30,7 @@ TEST_CASE("powers in lanes are the library's", "[trace][highlight]")
         }
         using csg::lanes::Double;
         for (std::size_t i = 0; i < 64; i += csg::lanes::kDoubles)
-            power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
+            csg::lanes::power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
         for (std::size_t i = 0; i < 64; ++i) {
             if (texture::highlight_vanishes(c[i], n[i])) continue;
             const double truth = std::pow(c[i], n[i]);
