@@ -28,7 +28,8 @@ std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int wi
 /// \param path of the picture; empty: standard output
 void check_fits(const Settings& settings, const std::string& path);
 
-/// Bytes from which on a piece of memory is mapped by itself instead of coming from the heap; glibc takes no greater limit.
+/// Bytes from which on a piece of memory is mapped by itself instead of coming from the heap; glibc takes no greater
+/// limit.
 inline constexpr int kMapped = 32 << 20;
 
 /// Throws what `new` throws where the system refuses memory: its message has this size, what is used and what is

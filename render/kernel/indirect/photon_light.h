@@ -211,7 +211,8 @@ private:
                 opening[i] = glm::dot(raw, photons[i]->back);
             }
             for (std::size_t i = 0; i < kMany; ++i)
-                share[i] = (share[i] < kDark ? 0.0f : share[i]) / std::clamp(opening[i], static_cast<float>(kFlattest), 1.0f);
+                share[i] = (share[i] < kDark ? 0.0f : share[i]) /
+                           std::clamp(opening[i], static_cast<float>(kFlattest), 1.0f);
             for (std::size_t i = 0; i < count; ++i) sum += photons[i]->flux * share[i];
         }
         return sum * at.pigment[k] * static_cast<float>(at.diffuse[k]);

@@ -38,11 +38,11 @@ bool diagonal(const glm::dmat3& m)
 using Corners = std::array<glm::dvec3, 3>;
 
 /// POV-Ray draws a smooth_triangle only if its three normals point to one side of its face, none along it (spec
-/// 5b, 2.2); the faces of meshes know no such rule. A transformation changes all three signs or none.
-bool normals_on_one_side(const scene::SmoothTriangle& s)
+/// 5b, 2.2); the faces of meshes know no such rule.
+bool normals_on_one_side(const Corners& corners, const std::array<glm::dvec3, 3>& normals)
 {
-    const glm::dvec3 face = glm::cross(s.vertex[1] - s.vertex[0], s.vertex[2] - s.vertex[0]);
-    const double a = glm::dot(face, s.normal[0]), b = glm::dot(face, s.normal[1]), c = glm::dot(face, s.normal[2]);
+    const glm::dvec3 face = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double a = glm::dot(face, normals[0]), b = glm::dot(face, normals[1]), c = glm::dot(face, normals[2]);
     return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
 }
 
@@ -109,9 +109,16 @@ struct ToWorld {
     csg::Solid operator()(const scene::Shared<scene::SmoothTriangle>& s) const
     {
         const Corners corners = moved(s->vertex), &n = s->normal;
-        if (!normals_on_one_side(*s))
+        std::array<glm::dvec3, 3> normals = {t.normal(n[0]), t.normal(n[1]), t.normal(n[2])};
+        // `scale` makes each as long as the others again; a `matrix` of that kind would not, which is rare.
+        if (double factor = 1.0; !similarity(t.linear, factor))
+            for (glm::dvec3& normal : normals)
+                if (normal != glm::dvec3(0.0)) normal = glm::normalize(normal);
+        // Scales that differ by axis turn normals against the face. POV-Ray looks after each statement; what lies
+        // between the first place and the last is not known here.
+        if (!normals_on_one_side(s->vertex, n) || !normals_on_one_side(corners, normals))
             return csg::Triangle::make({corners[0], corners[0], corners[0]});  // no area: never met
-        return csg::Triangle::make(corners, {t.normal(n[0]), t.normal(n[1]), t.normal(n[2])});
+        return csg::Triangle::make(corners, normals);
     }
     csg::Solid operator()(const scene::Extrusion& s) const
     {
