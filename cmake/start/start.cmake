@@ -6,11 +6,10 @@ if(CMAKE_BUILD_TYPE STREQUAL Release AND WHITTLE_ISA_LEVELS AND NOT WHITTLE_TRAI
   set(WHITTLE_LEAN_START ON)
 endif()
 
-# runtime_from_program(KERNEL): the module needs libc and libm alone. libgcc shows none of its static names to others: unwinding has
-# its own.
+# runtime_from_program(KERNEL): the module needs libc, libm and libgcc_s alone.
 function(runtime_from_program kernel)
   target_link_options(${kernel} PRIVATE -nodefaultlibs)
-  target_link_libraries(${kernel} PRIVATE m c gcc gcc_eh c)
+  target_link_libraries(${kernel} PRIVATE m c gcc gcc_s c)
 endfunction()
 
 # lean_start(PROGRAM): as above; the names that the kernels ask for are read off them.
@@ -23,7 +22,8 @@ function(lean_start program)
   target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/start/fmt.cpp ${names})
   set_source_files_properties(${PROJECT_SOURCE_DIR}/cmake/start/fmt.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS ${names})
-  # Shared libraries that come later on the line are left out where nothing asks for them any more.
-  target_link_options(${program} PRIVATE -static-libstdc++ -static-libgcc -no-pie @${names}
+  # Shared libraries that come later on the line are left out where nothing asks for them any more. libgcc_s stays: an exception that comes
+  # through libc (std::call_once) is unwound by that one, and two that unwind one exception abort.
+  target_link_options(${program} PRIVATE -static-libstdc++ -no-pie @${names}
                       LINKER:--as-needed,--push-state,--whole-archive,-l:libz.a,--pop-state)
 endfunction()
