@@ -1,8 +1,8 @@
-# A release build's start. Most of the start of a small picture is the loader's: shared libraries are mapped, some 2,000 of libstdc++'s names
+# A release build's start, by clang, with which it is tested. Most of the start of a small picture is the loader's: shared libraries are mapped, some 2,000 of libstdc++'s names
 # looked up, and each page that this writes to is a fault of its own. So the program has the C++ runtime, fmt and zlib within
 # and stands at a place of its own, and kernels take the runtime from whoever opens them (docs/speed.md).
 set(WHITTLE_LEAN_START OFF)
-if(CMAKE_BUILD_TYPE STREQUAL Release AND WHITTLE_ISA_LEVELS AND NOT WHITTLE_TRAIN AND NOT WHITTLE_SANITIZE AND NOT WHITTLE_FUZZ)
+if(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND WHITTLE_ISA_LEVELS AND NOT WHITTLE_TRAIN AND NOT WHITTLE_SANITIZE AND NOT WHITTLE_FUZZ)
   set(WHITTLE_LEAN_START ON)
 endif()
 
