@@ -1,8 +1,9 @@
-# A release build's start, by clang, with which it is tested. Most of the start of a small picture is the loader's: shared libraries are mapped, some 2,000 of libstdc++'s names
-# looked up, and each page that this writes to is a fault of its own. So the program has the C++ runtime, fmt and zlib within
-# and stands at a place of its own, and kernels take the runtime from whoever opens them (docs/speed.md).
+# A release build's start. Most of the start of a small picture is the loader's: it maps shared libraries, looks up some 2,000 of
+# libstdc++'s names, and each page that it writes to is a fault of its own. So the program contains libstdc++, fmt and zlib and is linked at a
+# fixed address, and kernels take the C++ runtime from whichever program opens them (docs/speed.md). Tested with clang alone.
 set(WHITTLE_LEAN_START OFF)
-if(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND WHITTLE_ISA_LEVELS AND NOT WHITTLE_TRAIN AND NOT WHITTLE_SANITIZE AND NOT WHITTLE_FUZZ)
+if(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND WHITTLE_ISA_LEVELS AND NOT WHITTLE_TRAIN AND NOT WHITTLE_SANITIZE
+   AND NOT WHITTLE_FUZZ)
   set(WHITTLE_LEAN_START ON)
 endif()
 
@@ -22,8 +23,8 @@ function(lean_start program)
   target_sources(${program} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/start/fmt.cpp ${names})
   set_source_files_properties(${PROJECT_SOURCE_DIR}/cmake/start/fmt.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS ${names})
-  # Shared libraries that come later on the line are left out where nothing asks for them any more. libgcc_s stays: an exception that comes
-  # through libc (std::call_once) is unwound by that one, and two that unwind one exception abort.
+  # --as-needed drops the shared libraries later on the line that nothing asks for any more. libgcc_s stays shared: libc unwinds by it an
+  # exception that passes through its own frames (std::call_once), and one exception unwound by two copies aborts.
   target_link_options(${program} PRIVATE -static-libstdc++ -no-pie @${names}
                       LINKER:--as-needed,--push-state,--whole-archive,-l:libz.a,--pop-state)
 endfunction()

@@ -21,8 +21,8 @@ namespace {
 using Strings = std::vector<std::string>;
 using SharedPicture = std::shared_ptr<Picture>;
 
-/// Kernels take the C++ runtime from the program that opens them (cmake/start), and an interpreter keeps it to those
-/// that asked for it: it becomes everybody's.
+/// Kernels take the C++ runtime from the program that opens them (cmake/start). Python shows what this module was
+/// linked with to nobody else, so it is opened once more, for all.
 void share_runtime()
 {
     for (const char* const library : {"libstdc++.so.6", "libgcc_s.so.1"})

@@ -36,17 +36,17 @@ inline std::string_view trimmed(std::string_view text)
     return text;
 }
 
-/// The pieces of a text between separators. A stream would do, but what asks for none at the start of a run spares it
-/// the standard library's locales: 0.4 ms in a virtual machine.
+/// The pieces of a text between separators. Not by a string stream: the first stream of a run makes the standard
+/// library's locales, which takes 0.4 ms in a virtual machine.
 inline std::vector<std::string_view> pieces_of(std::string_view text, char separator)
 {
     std::vector<std::string_view> pieces;
-    for (std::size_t end = 0; end != std::string_view::npos; text.remove_prefix(end + 1)) {
-        end = text.find(separator);
+    for (;;) {
+        const std::size_t end = text.find(separator);
         pieces.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
+        if (end == std::string_view::npos) return pieces;
+        text.remove_prefix(end + 1);
     }
-    return pieces;
 }
 
 /// A word for the shell, whatever is in it.

@@ -19,9 +19,9 @@ int threads_of_task(const SystemFile& file, const Variable& variable);
 /// Bytes that they leave to it; infinite where nothing limits them.
 double memory_of_task(const SystemFile& file, const Variable& variable);
 
-/// Those of this process, no more than the processors that it may run on. Read once, when first asked for: a small run
-/// asks for neither.
+/// Those of this process, no more than the processors that it may run on. Read once, when first asked for.
 int allocated_threads();
+/// The same; small pictures never ask.
 double allocated_memory();
 
 /// The number behind a word that begins a line of a text.
