@@ -63,8 +63,12 @@ struct pigment : item<Kind::Pigment, reads<pigment_block>> {
     {
         const bool moved = s.object.texture && !s.object.flags.uv_mapping;
         s.change_top("pigment", [&](scene::Layer& top) {
-            if (moved) top.pigment.move_space(s.since_textured());  // noted nowhere else, to spare time
+            if (!moved) return void(top.pigment = read_pigment(s.build, top.pigment));
+            // What moves a plain colour is noted nowhere else, to spare time: before a pattern comes in its place.
+            const csg::Transform since = s.since_textured();
+            top.pigment.move_space(since);
             top.pigment = read_pigment(s.build, top.pigment);
+            top.pigment.move_space(since.inverted());
         });
     }
 };
