@@ -26,7 +26,7 @@ LayersTask layers_task(const Run& run, const scene::Description& scene, const st
     if (path.empty() || !settings.output_to_file)
         throw OptionError("--aov writes a file beside the picture's, and the picture has none");
     const double bytes = kBytesPerPixel * settings.width * settings.height;
-    if (bytes > picture_memory(settings, bytes))
+    if (!has_memory_for(settings, bytes))
         throw OptionError("not enough memory is free for the layers of so large a picture");
     const auto text_of = [&run](const std::string& file) {
         return run.input ? *run.input : text_on_disk(file).value_or("");

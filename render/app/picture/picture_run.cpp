@@ -46,7 +46,7 @@ PictureRun::PictureRun(const PictureTask& task, StageTimes& times)
     const double samples =
         (trace::SampledPicture::kBytesPerPixel + (settings_.denoise ? trace::PathFeatures::kBytesPerPixel : 0.0)) *
         settings_.width * settings_.height;
-    if (settings_.sampled() && (in_strips_ || samples > picture_memory(settings_, samples)))
+    if (settings_.sampled() && (in_strips_ || !has_memory_for(settings_, samples)))
         throw TryAgain("not enough memory is free for the samples of so large a picture");
     if (in_strips_ && !task.layers.kinds.empty())
         throw TryAgain("not enough memory is free for the layers of so large a picture");

@@ -65,7 +65,7 @@ public:
         : form_(form), width_(settings.width), height_(settings.height)
     {
         const double bytes = kTracedPixelBytes * width_ * height_ * form.columns * form.rows;
-        if (bytes > picture_memory(settings, bytes))
+        if (!has_memory_for(settings, bytes))
             throw OptionError(fmt::format("a sheet of {}x{} views takes {:.0f} MB of memory, more than there is for it "
                                           "(--memory)",
                                           form.columns, form.rows, bytes / 1e6));

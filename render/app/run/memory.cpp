@@ -82,6 +82,8 @@ double picture_memory(const Settings& settings, double needed)
     return std::min({left_to_all(), allocated_memory(), process_limit()}) / 2.0;
 }
 
+bool has_memory_for(const Settings& settings, double bytes) { return bytes <= picture_memory(settings, bytes); }
+
 std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int width, int height, image::FileType type)
 {
     const double row = kTracedPixelBytes * width;

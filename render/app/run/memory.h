@@ -20,6 +20,9 @@ double picture_bytes(const Settings& settings);
 /// Nobody is asked, and it is infinite, where few bytes are needed: the program itself takes as many.
 double picture_memory(const Settings& settings, double needed);
 
+/// Whether so many bytes, 0 or more, are within picture_memory().
+bool has_memory_for(const Settings& settings, double bytes);
+
 /// Rows [first, last) of blocks that are in memory at a time; all of them where the picture fits.
 /// \param memory bytes \return rows of blocks; 0: not even one fits
 std::size_t rows_of_blocks_in(double memory, const trace::Blocks& blocks, int width, int height, image::FileType type);
