@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numbers/infinity.h"
+#include "numbers/lane_arithmetic.h"
 #include "numbers/low_degree_roots.h"
 #include "numbers/safeguarded_newton.h"
 
@@ -41,17 +42,21 @@ inline double bracketed(const double* c, int degree, double lo, double hi, bool 
 }
 
 /// No root, nor one of a derivative, is larger by amount (Fujiwara 1916: twice the largest |c[n - k] / c[n]|^(1/k)),
-/// from exponents alone.
-inline double root_bound(const PolynomialCoefficients& c, int degree)
+/// from exponents alone. Of one polynomial or of one a lane.
+template <class V>
+inline V root_bound(const V* c, int degree)
 {
-    const double last = c[static_cast<std::size_t>(degree)];
-    double most = -1100.0;
+    using std::ceil;
+    const V last = c[degree];
+    V most(-1100.0);
+    lanes::Truth<V> endless = !(last == last);
     for (int k = 1; k <= degree; ++k) {
-        const double ratio = std::abs(c[static_cast<std::size_t>(degree - k)] / last);
-        if (!(ratio < kInfinity)) return kInfinity;
-        if (ratio > 0.0) most = std::max(most, static_cast<double>(std::ilogb(ratio) + 1) / k);
+        const V ratio = lanes::size_of(c[degree - k] / last);
+        endless = endless | !(ratio < V(kInfinity));
+        const V power = (exponent_of(ratio) + V(1.0)) / V(static_cast<double>(k));
+        most = lanes::choose(ratio > V(0.0), lanes::larger(most, power), most);
     }
-    return 2.0 * std::ldexp(1.0, static_cast<int>(std::ceil(most)));
+    return lanes::choose(endless, V(kInfinity), V(2.0) * power_of_two(ceil(most)));
 }
 
 /// Sign changes of c[0] + ... + c[degree] t^degree in (lo, hi), in order: between two roots of its derivative a
@@ -168,7 +173,7 @@ inline int sign_changes(const PolynomialCoefficients& c, int degree, double (&ou
                            : degree == 3 ? detail::cubic_roots(c.data(), out)
                                          : detail::kUnsure;
     if (by_formula != detail::kUnsure) return by_formula;
-    const double bound = detail::root_bound(c, degree);
+    const double bound = detail::root_bound(c.data(), degree);
     if (!(bound < kInfinity)) return 0;
     // The largest term at the bound is the leading one; binomials of the derivatives add 33 bits.
     constexpr int kMostExponent = 980;

@@ -4,6 +4,7 @@
 #include "csg/packet/lane_front.h"
 #include "csg/packet/near_bound.h"
 #include "csg/packet/lanes/lane_quartic.h"
+#include "csg/packet/lanes/polynomial_sieve.h"
 #include "csg/packet/lanes/lane_torus.h"
 #include "csg/packet/merged_ends.h"
 #include "csg/packet/mesh_rays.h"
@@ -65,11 +66,14 @@ struct TileLeaf {
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
         if (kind_of(item.solid) == SolidKind::Quadric && !guarded) return quadric(index, mask);
         if (serves_instance(item, mask)) return within(index, mask);
-        const bool mesh = serves_mesh(item, mask), quartic = serves_quartic(item, mask);
-        if (guarded && (mask & (mask - 1)) != 0 && (item.simple || item.boolean || item.many || mesh || quartic))
+        const bool mesh = serves_mesh(item, mask), quartic = serves_quartic(item, mask),
+                   sieve = serves_sieve(item, mask);
+        if (guarded && (mask & (mask - 1)) != 0 &&
+            (item.simple || item.boolean || item.many || mesh || quartic || sieve))
             mask = passing(item, mask);
         if (mesh) return faces(index, mask);
         if (quartic) return pieces(index, QuarticEnds(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask));
+        if (sieve) mask = rays_near(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask);
         if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
@@ -329,6 +333,13 @@ private:
         constexpr int kFewest = 3;
         return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
                QuarticEnds::serve(world.store.all<Polynomial>()[index_of(item.solid)]);
+    }
+
+    bool serves_sieve(const WorldItem& item, RayMask mask) const
+    {
+        constexpr int kFewest = 3;
+        return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
+               has_sieve(world.store.all<Polynomial>()[index_of(item.solid)]);
     }
 
     /// Its second spans are kept while the first are looked at.

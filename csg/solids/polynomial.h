@@ -29,6 +29,21 @@ struct PolynomialCourse {
         possible = some & between;
     }
     V t(const V& root) const { return (shift + root) / length; }
+    /// Roots that are surely behind t, or surely before it.
+    V behind(const V& t) const { return root(t) + doubt(root(t)); }
+    V before(const V& t) const { return root(t) - doubt(root(t)); }
+    /// Leaves the roots between t_min and t_max, and a little more.
+    void clip(const V& t_min, const V& t_max)
+    {
+        lo = lanes::larger(lo, before(t_min));
+        hi = lanes::smaller(hi, behind(t_max));
+        possible = possible & (lo < hi);
+    }
+
+private:
+    V root(const V& t) const { return t * length - shift; }
+    /// More than PolynomialShape::polished() moves one by.
+    static V doubt(const V& root) { return V(2e-6) * (V(1.0) + lanes::size_of(root)); }
 };
 
 }  // namespace detail
@@ -52,29 +67,42 @@ struct Polynomial {
     template <class F>
     void each_span(const Ray& ray, F&& f) const
     {
+        double in = -kInfinity;
+        const bool inside = each_crossing(ray, -kInfinity, kInfinity, false, [&](double t, bool leaves) {
+            if (leaves) f(in, 0u, t, 0u);
+            else in = t;
+        });
+        if (inside) f(in, 0u, kInfinity, 0u);
+    }
+
+    /// f(t, leaves) where the ray crosses the surface, nearest first; what is not between t_min and t_max may be left
+    /// out, or behind the first there with `nearest_only`. Of whether the ray is inside, also told at last, only
+    /// changes are known then.
+    template <class F>
+    bool each_crossing(const Ray& ray, double t_min, double t_max, bool nearest_only, F&& f) const
+    {
         const Ray given = local_ray(frame, ray);
         const detail::Course<double> local{{given.origin.x, given.origin.y, given.origin.z},
                                            {given.direction.x, given.direction.y, given.direction.z}};
-        const detail::PolynomialCourse<double> course(*shape, local);
-        if (!course.possible) return;
+        detail::PolynomialCourse<double> course(*shape, local);
+        course.clip(t_min, t_max);
+        if (!course.possible) return false;
         const auto& [o, way] = course.ray;
         const glm::dvec3 p(o[0], o[1], o[2]), d(way[0], way[1], way[2]);
         PolynomialShape::Along c;
         shape->along(p, d, c);
         const int degree = shape->degree_along(p, d, c);
         double roots[PolynomialShape::kMostDegree];
-        const int count = shape->changes(c, degree, course.lo, course.hi, roots);
+        const double enough = nearest_only ? course.behind(t_min) : kInfinity;
+        const int count = shape->changes(c, degree, course.lo, course.hi, enough, roots);
         const double last = c[static_cast<std::size_t>(degree)];
         bool inside = degree % 2 == 0 ? last <= 0.0 : last > 0.0;  // where t goes to minus infinity
-        double in = -kInfinity;
         for (int i = 0; i < count; ++i) {
             roots[i] = glm::max(shape->polished(p, d, roots[i]), i > 0 ? roots[i - 1] : -kInfinity);
-            const double t = course.t(roots[i]);
-            if (inside) f(in, 0u, t, 0u);
-            else in = t;
+            f(course.t(roots[i]), inside);
             inside = !inside;
         }
-        if (inside) f(in, 0u, kInfinity, 0u);
+        return inside;
     }
 
     bool contains(const glm::dvec3& p) const { return shape->value(frame.inverse_point(p)) <= 0.0; }

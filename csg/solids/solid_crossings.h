@@ -40,6 +40,8 @@ inline void solid_crossings(const T& solid, const Ray& ray, double t_min, double
                 offer(out, out_face);
             },
             t_min, t_max, nearest_only);
+    } else if constexpr (std::is_same_v<T, Polynomial>) {
+        solid.each_crossing(ray, t_min, t_max, nearest_only, [&](double t, bool) { offer(t, 0); });
     } else if constexpr (requires { solid.each_span(ray, [](double, std::uint32_t, double, std::uint32_t) {}); }) {
         solid.each_span(ray, [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
             offer(in, in_face);

@@ -1,5 +1,6 @@
 #include "csg/freeform/shared/bernstein.h"
 #include "csg/solids/shared/polynomial_between.h"
+#include "csg/solids/shared/polynomial_rays.h"
 #include "numbers/polynomial_roots.h"
 #include "numbers/safeguarded_newton.h"
 #include "tests/csg/degrees.h"
@@ -94,13 +95,13 @@ TEST_CASE("sign changes in a range that holds them all are those that turning po
         const Known known = known_roots(rng, degree);
         double wanted[PolynomialShape::kMostDegree], found[PolynomialShape::kMostDegree];
         const int all = sign_changes(known.c, degree, wanted);
-        double lo = -detail::root_bound(known.c, degree), hi = -lo;
+        double lo = -detail::root_bound(known.c.data(), degree), hi = -lo;
         if (rng.coin()) {
             const double middle = all == 0 ? known.scale * rng.uniform(-5, 5) : 0.0;
             lo = (all == 0 ? middle : wanted[0]) - known.scale * rng.uniform(0.01, 2.0);
             hi = (all == 0 ? middle : wanted[all - 1]) + known.scale * rng.uniform(0.01, 2.0);
         }
-        const int count = sign_changes_between(known.c, degree, lo, hi, found);
+        const int count = sign_changes_between(known.c, degree, lo, hi, kInfinity, found);
         if (count == kUnsureChanges) {
             ++unsure;
             return;
@@ -124,6 +125,66 @@ TEST_CASE("sign changes in a range that holds them all are those that turning po
     CHECK(none > 1'000);
 }
 
+TEST_CASE("sign changes in any range are those of the whole line that lie in it, or the first of them",
+          "[csg][polynomial]")
+{
+    int sure = 0, found_some = 0, stopped = 0;
+    csg_test::each_degree(5, 15, 1000, [&](int degree, Rng& rng) {
+        const Known known = known_roots(rng, degree);
+        double all[PolynomialShape::kMostDegree], found[PolynomialShape::kMostDegree];
+        const int of_all = sign_changes(known.c, degree, all);
+        const double lo = known.scale * rng.uniform(-3, 3), hi = lo + known.scale * rng.uniform(0.1, 4.0);
+        const double enough = rng.coin() ? kInfinity : lo + (hi - lo) * rng.uniform(0.0, 0.5);
+        const double near = 1e-6 * known.scale;  // to an end: which side of it is another question
+        for (const double root : known.roots)
+            for (const double end : {lo, hi, enough})
+                if (std::abs(root - end) < near) return;
+        const int count = sign_changes_between(known.c, degree, lo, hi, enough, found);
+        if (count == kUnsureChanges) return;
+        ++sure;
+        int next = 0;
+        for (int i = 0; i < of_all; ++i) {
+            if (all[i] < lo || all[i] > hi) continue;
+            if (next == count && next > 0 && found[next - 1] > enough) {
+                ++stopped;
+                break;
+            }
+            REQUIRE(next < count);
+            REQUIRE(std::abs(found[next] - all[i]) < 0.05 * known.scale);
+            ++next;
+        }
+        REQUIRE(next == count);
+        found_some += count > 0 ? 1 : 0;
+    });
+    INFO("sure " << sure << ", with some " << found_some << ", stopped " << stopped);
+    CHECK(sure > 4'000);
+    CHECK(found_some > 1'000);
+    CHECK(stopped > 100);
+}
+
+TEST_CASE("ordinates of a ray a lane are to the last bit those of one ray", "[csg][polynomial]")
+{
+    csg_test::each_degree(5, 15, 200, [&](int degree, Rng& rng) {
+        const auto n = static_cast<std::size_t>(degree);
+        PolynomialShape::Along c{};
+        for (std::size_t k = 0; k <= n; ++k) c[k] = rng.coin() ? rng.uniform(-1.0, 1.0) : 0.0;
+        const double lo = rng.uniform(-3, 3), hi = lo + rng.uniform(0.1, 4.0);
+        PolynomialRow<2> row, row_low;
+        PolynomialRays<double> rays, rays_low;
+        const double error = detail::ordinates_between(c.data(), n, lo, hi, row);
+        REQUIRE(detail::ordinates_between(c.data(), n, lo, hi, rays) == error);
+        row.halve(n, row_low);
+        rays.halve(n, rays_low);
+        double upper[16], lower[16];
+        row.store(upper, 16);
+        row_low.store(lower, 16);
+        for (std::size_t k = 0; k <= n; ++k) {
+            REQUIRE(rays.v[k] == upper[k]);
+            REQUIRE(rays_low.v[k] == lower[k]);
+        }
+    });
+}
+
 TEST_CASE("two roots that are nearly one are left to turning points", "[csg][polynomial]")
 {
     for (std::uint32_t seed = 0; seed < 500; ++seed) {
@@ -138,7 +199,7 @@ TEST_CASE("two roots that are nearly one are left to turning points", "[csg][pol
         int degree = PolynomialShape::kMostDegree;
         while (c[static_cast<std::size_t>(degree)] == 0.0) --degree;
         double found[PolynomialShape::kMostDegree];
-        REQUIRE(sign_changes_between(c, degree, -1.0, 1.0, found) == kUnsureChanges);
+        REQUIRE(sign_changes_between(c, degree, -1.0, 1.0, kInfinity, found) == kUnsureChanges);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "numbers/polynomial_roots.h"
 #include "csg/solids/shared/polynomial_row.h"
+#include "numbers/lane_arithmetic.h"
 
 #include <array>
 #include <cmath>
@@ -15,57 +16,43 @@ inline constexpr int kUnsureChanges = -1;
 
 namespace detail {
 
-inline constexpr int kMostRowDegree = 15;
+inline constexpr double kRangeRounding = 8 * 0x1p-53;  ///< a degree
 
-/// 1 / (k of n)
-inline constexpr auto kRowShares = [] {
-    std::array<std::array<double, kMostRowDegree + 1>, kMostRowDegree + 1> out{};
-    for (std::size_t n = 0; n < out.size(); ++n) {
-        double ways = 1.0;
-        for (std::size_t k = 0; k <= n; ++k) {
-            out[n][k] = 1.0 / ways;
-            ways = ways * static_cast<double>(n - k) / static_cast<double>(k + 1);
-        }
+/// c becomes the ordinates of what it is between lo and hi. What they are off by, at most.
+template <class V, class Row>
+[[gnu::always_inline]] inline V ordinates_between(const V* c, std::size_t degree, const V& lo, const V& hi, Row& out)
+{
+    // Horner's scheme for a t that goes from lo to hi while the row's goes from 0 to 1.
+    const V width = hi - lo, reach = lanes::size_of(lo) + width;
+    V size(0.0);
+    for (std::size_t k = degree + 1; k-- > 0;) {
+        out.times(lo, width);
+        out.add(c[k]);
+        size = size * reach + lanes::size_of(c[k]);
     }
-    return out;
-}();
+    out.to_ordinates(degree);
+    // Two roundings a step of Horner's, then the share and one sum a step, in parts of what has no signs.
+    return V(kRangeRounding * static_cast<double>(degree)) * size;
+}
 
 template <int blocks>
 class RangeOfPolynomial {
 public:
-    RangeOfPolynomial(const PolynomialCoefficients& c, int degree, double* out) : c_(c), degree_(degree), out_(out) {}
+    RangeOfPolynomial(const PolynomialCoefficients& c, int degree, double enough, double* out)
+        : c_(c), degree_(degree), enough_(enough), out_(out)
+    {}
 
     int changes(double lo, double hi)
     {
         if (!(lo < hi)) return 0;
-        // Horner's scheme for a t that goes from lo to hi while the row's goes from 0 to 1.
-        const double width = hi - lo, reach = std::abs(lo) + width;
         Row b;
-        double size = 0.0;
-        for (int k = degree_; k >= 0; --k) {
-            const double c = c_[static_cast<std::size_t>(k)];
-            b.times(lo, width);
-            b.add(c);
-            size = size * reach + std::abs(c);
-        }
-        // Two roundings a step of Horner's, then the share and one sum a step, in parts of what has no signs.
-        error_ = kRounding * degree_ * size;
-        const auto& shares = kRowShares[static_cast<std::size_t>(degree_)];
-        Row share;
-        std::memcpy(share.v, shares.data(), sizeof share.v);
-        for (int i = 0; i < blocks; ++i) b.v[i] *= share.v[i];
-        const Row place = row_places<blocks>();
-        for (int k = 1; k <= degree_; ++k) {
-            const Row up = b.raised();
-            for (int i = 0; i < blocks; ++i) b.v[i] += place.v[i] >= static_cast<double>(k) ? up.v[i] : EightNumbers{};
-        }
+        error_ = ordinates_between(c_.data(), static_cast<std::size_t>(degree_), lo, hi, b);
         return search(b, lo, hi, kMostHalvings) ? count_ : kUnsureChanges;
     }
 
 private:
     using Row = PolynomialRow<blocks>;
-    static constexpr double kRounding = 8 * 0x1p-53;  ///< a degree
-    static constexpr int kMostHalvings = 8;           ///< what is not parted by then is a touch, or nearly one
+    static constexpr int kMostHalvings = 8;  ///< what is not parted by then is a touch, or nearly one
 
     bool search(const Row& b, double lo, double hi, int halvings)
     {
@@ -82,42 +69,36 @@ private:
             if (turns == 1) {
                 const double first = ordinates[0], last = ordinates[degree_];
                 const double chord = lo + (hi - lo) * (first / (first - last));
-                out_[count_++] = bracketed(c_.data(), degree_, lo, hi, first < 0.0, chord, 1e-16);
+                out_[count_] = bracketed(c_.data(), degree_, lo, hi, first < 0.0, chord, 1e-16);
+                done_ = out_[count_++] > enough_;
                 return true;
             }
         }
         if (halvings == 0) return false;
         Row left, right = b;
-        const Row place = row_places<blocks>();
-        for (int k = 0; k <= degree_; ++k) {
-            const double head = right.v[0][0];
-            const Row down = right.lowered();
-            for (int i = 0; i < blocks; ++i) {
-                left.v[i] = place.v[i] == static_cast<double>(k) ? EightNumbers{} + head : left.v[i];
-                right.v[i] = place.v[i] < static_cast<double>(degree_ - k) ? 0.5 * (right.v[i] + down.v[i])
-                                                                           : right.v[i];
-            }
-        }
+        right.halve(static_cast<std::size_t>(degree_), left);
         const double middle = 0.5 * (lo + hi);
-        return search(left, lo, middle, halvings - 1) && search(right, middle, hi, halvings - 1);
+        return search(left, lo, middle, halvings - 1) && (done_ || search(right, middle, hi, halvings - 1));
     }
 
     const PolynomialCoefficients& c_;
     int degree_, count_ = 0;
+    double enough_;
+    bool done_ = false;
     double* out_;
     double error_ = 0.0;
 };
 
 }  // namespace detail
 
-/// sign_changes() between lo and hi, for a polynomial that has none beyond them; kUnsureChanges where roots are so near
-/// to each other that it has to be asked.
-inline int sign_changes_between(const PolynomialCoefficients& c, int degree, double lo, double hi,
+/// sign_changes() between lo and hi, at least as far as the first above `enough`; kUnsureChanges where roots are so
+/// near to each other that it has to be asked.
+inline int sign_changes_between(const PolynomialCoefficients& c, int degree, double lo, double hi, double enough,
                                 double (&out)[kMostPolynomialDegree])
 {
-    if (degree > detail::kMostRowDegree) return kUnsureChanges;
-    return degree < PolynomialRow<1>::kSize ? detail::RangeOfPolynomial<1>(c, degree, out).changes(lo, hi)
-                                            : detail::RangeOfPolynomial<2>(c, degree, out).changes(lo, hi);
+    if (degree > kMostRowDegree) return kUnsureChanges;
+    return degree < PolynomialRow<1>::kSize ? detail::RangeOfPolynomial<1>(c, degree, enough, out).changes(lo, hi)
+                                            : detail::RangeOfPolynomial<2>(c, degree, enough, out).changes(lo, hi);
 }
 
 }  // namespace csg

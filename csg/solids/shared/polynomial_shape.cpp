@@ -30,50 +30,27 @@ PolynomialShape::PolynomialShape(int degree, std::vector<double> coefficients)
     boxed_ = box_.finite();
 }
 
-/// Horner's scheme in x, whose coefficients are polynomials of y and z, and so on; numbers here are polynomials of t.
-/// Most high degrees have few terms: what is between them costs nothing but its factors.
-template <int blocks, class F>
-void PolynomialShape::sum_along(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const
-{
-    PolynomialRow<blocks> in_x, in_y, in_z;
-    const auto raise = [&](PolynomialRow<blocks>& row, int axis, int times) {
-        for (int n = 0; n < times; ++n) row.times(o[axis], d[axis]);
-    };
-    for (std::size_t n = 0; n < terms_.size(); ++n) {
-        const Term& term = terms_[n];
-        const Term next = n + 1 < terms_.size() ? terms_[n + 1] : Term{};
-        const bool last = n + 1 == terms_.size(), same_x = !last && next.i == term.i,
-                   same_y = same_x && next.j == term.j;
-        in_z.add(of(term.c));
-        raise(in_z, 2, same_y ? term.k - next.k : term.k);
-        if (same_y) continue;
-        in_y.add(in_z);
-        in_z.clear();
-        raise(in_y, 1, same_x ? term.j - next.j : term.j);
-        if (same_x) continue;
-        in_x.add(in_y);
-        in_y.clear();
-        raise(in_x, 0, term.i - next.i);
-    }
-    in_x.store(out.data(), degree_ + 1);
-}
-
 template <class F>
-void PolynomialShape::each_width(F&& f) const
+void PolynomialShape::sum_any(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const
 {
-    if (degree_ < 8) f.template operator()<1>();
-    else if (degree_ < 16) f.template operator()<2>();
-    else f.template operator()<5>();
+    const auto with_row = [&]<int blocks>() {
+        PolynomialRow<blocks> sum;
+        sum_along({{o.x, o.y, o.z}, {d.x, d.y, d.z}}, sum, of);
+        sum.store(out.data(), degree_ + 1);
+    };
+    if (degree_ < 8) with_row.template operator()<1>();
+    else if (degree_ < 16) with_row.template operator()<2>();
+    else with_row.template operator()<5>();
 }
 
 void PolynomialShape::along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
 {
-    each_width([&]<int blocks>() { sum_along<blocks>(o, d, out, [](double v) { return v; }); });
+    sum_any(o, d, out, [](double v) { return v; });
 }
 
 void PolynomialShape::sizes_along(const glm::dvec3& o, const glm::dvec3& d, Along& out) const
 {
-    each_width([&]<int blocks>() { sum_along<blocks>(o, d, out, [](double v) { return std::abs(v); }); });
+    sum_any(o, d, out, [](double v) { return std::abs(v); });
 }
 
 double PolynomialShape::nearer(const glm::dvec3& o, const glm::dvec3& d, double t) const

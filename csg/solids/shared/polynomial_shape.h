@@ -49,6 +49,13 @@ public:
         return detail::along<0, 4>(next, ray);
     }
 
+    /// Of degrees above 4, of a ray or of a ray a lane, from the lowest power up; out begins as 0.
+    template <class Row>
+    void sum_along(const detail::Course<typename Row::Number>& ray, Row& out) const
+    {
+        sum_along(ray, out, [](double coefficient) { return coefficient; });
+    }
+
     /// Cuts lo to hi down to where o + t d is in the box; hi is not above lo where it never is.
     template <class V>
     void clip(const detail::Course<V>& ray, V& lo, V& hi) const
@@ -63,13 +70,25 @@ public:
         }
     }
 
-    /// sign_changes() of along()'s, whose degree is degree_along()'s; all are between lo and hi.
-    int changes(const Along& c, int degree, double lo, double hi, double (&out)[kMostDegree]) const
+    /// Cuts lo to hi down to where along()'s c may have roots, where clip() did not.
+    template <class V>
+    void bound(const V* c, int degree, V& lo, V& hi) const
+    {
+        if (boxed_) return;
+        const V most = detail::root_bound(c, degree);
+        lo = lanes::larger(lo, lanes::negated(most));
+        hi = lanes::smaller(hi, most);
+    }
+
+    /// sign_changes() of along()'s, whose degree is degree_along()'s: those between lo and hi at least, of
+    /// those above `enough` the first.
+    int changes(const Along& c, int degree, double lo, double hi, double enough, double (&out)[kMostDegree]) const
     {
         if (degree <= 0) return 0;
         if (degree > kLow) {
-            if (!boxed_) hi = detail::root_bound(c, degree), lo = -hi;
-            if (const int count = sign_changes_between(c, degree, lo, hi, out); count != kUnsureChanges) return count;
+            bound(c.data(), degree, lo, hi);
+            if (const int count = sign_changes_between(c, degree, lo, hi, enough, out); count != kUnsureChanges)
+                return count;
         }
         return sign_changes(c, degree, out);
     }
@@ -119,11 +138,35 @@ private:
     }
     void along_any(const glm::dvec3& o, const glm::dvec3& d, Along& out) const;
     void sizes_along(const glm::dvec3& o, const glm::dvec3& d, Along& out) const;
-    /// The terms' sum with `of` each coefficient.
-    template <int blocks, class F>
-    void sum_along(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const;
     template <class F>
-    void each_width(F&& f) const;
+    void sum_any(const glm::dvec3& o, const glm::dvec3& d, Along& out, F&& of) const;
+    /// The terms' sum with `of` each coefficient: Horner's scheme in x, whose coefficients are polynomials of y and z,
+    /// and so on; numbers here are polynomials of t. Most high degrees have few terms: what is between them costs
+    /// nothing but its factors.
+    template <class Row, class F>
+    void sum_along(const detail::Course<typename Row::Number>& ray, Row& in_x, F&& of) const
+    {
+        Row in_y, in_z;
+        const auto raise = [&](Row& row, int axis, int times) {
+            for (int n = 0; n < times; ++n) row.times(ray.o[axis], ray.d[axis]);
+        };
+        for (std::size_t n = 0; n < terms_.size(); ++n) {
+            const Term& term = terms_[n];
+            const Term next = n + 1 < terms_.size() ? terms_[n + 1] : Term{};
+            const bool last = n + 1 == terms_.size(), same_x = !last && next.i == term.i,
+                       same_y = same_x && next.j == term.j;
+            in_z.add(typename Row::Number(of(term.c)));
+            raise(in_z, 2, same_y ? term.k - next.k : term.k);
+            if (same_y) continue;
+            in_y.add(in_z);
+            in_z.clear();
+            raise(in_y, 1, same_x ? term.j - next.j : term.j);
+            if (same_x) continue;
+            in_x.add(in_y);
+            in_y.clear();
+            raise(in_x, 0, term.i - next.i);
+        }
+    }
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
     int degree_;
