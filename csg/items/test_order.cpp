@@ -216,7 +216,8 @@ int TestOrder::widest_axis(std::span<const Placed> nodes) const
     return spread.z > std::max(spread.x, spread.y) ? 2 : spread.y > spread.x ? 1 : 0;
 }
 
-std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
+template <class F>
+void TestOrder::visit(const Ray& ray, F&& f) const
 {
     const SingleRay single(ray, by_);
     thread_local Waiting waiting;
@@ -232,12 +233,31 @@ std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> it
     while (!waiting.empty()) {
         const Node& node = nodes_[waiting.take().node];
         if (node.item == kNone) open(node);
-        else if (const auto found = std::find_if(items.begin(), items.end(),
-                                                 [&](std::uint32_t item) { return whole_of(item) == node.item; });
-                 found != items.end())
-            return *found;
+        else if (f(node.item)) return;
     }
-    return *std::min_element(items.begin(), items.end());
+}
+
+std::uint32_t TestOrder::first(const Ray& ray, std::span<const std::uint32_t> items) const
+{
+    std::uint32_t out = *std::min_element(items.begin(), items.end());
+    visit(ray, [&](std::uint32_t whole) {
+        const auto found =
+            std::find_if(items.begin(), items.end(), [&](std::uint32_t item) { return whole_of(item) == whole; });
+        if (found == items.end()) return false;
+        out = *found;
+        return true;
+    });
+    return out;
+}
+
+void TestOrder::arrange(const Ray& ray, std::span<std::uint32_t> items) const
+{
+    std::sort(items.begin(), items.end());
+    auto next = items.begin();
+    visit(ray, [&](std::uint32_t whole) {
+        next = std::stable_partition(next, items.end(), [&](std::uint32_t item) { return whole_of(item) == whole; });
+        return next == items.end();
+    });
 }
 
 void TestOrder::arrange(std::vector<std::uint32_t>& items) const

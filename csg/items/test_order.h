@@ -34,6 +34,9 @@ public:
     /// Of these items (places in the list), which the ray all meets, the one that is asked first.
     std::uint32_t first(const Ray& ray, std::span<const std::uint32_t> items) const;
 
+    /// Puts such items in the order in which they are asked.
+    void arrange(const Ray& ray, std::span<std::uint32_t> items) const;
+
     /// Puts items (places in the list) in the order in which all that hold a point are found (spec 5a, 11.5): that of
     /// the hierarchy, from its root down.
     void arrange(std::vector<std::uint32_t>& items) const;
@@ -54,6 +57,9 @@ private:
         float middle;
     };
 
+    /// f(object) for those whose boxes the ray meets, in that order, until it is true.
+    template <class F>
+    void visit(const Ray& ray, F&& f) const;
     std::uint32_t whole_of(std::uint32_t item) const { return whole_.empty() ? item : whole_[item]; }
     Numbers gather(const Numbers& nodes);
     std::size_t divided(std::span<Placed> nodes, std::vector<float>& areas) const;

@@ -51,6 +51,18 @@ inline Hit mesh_nearest(const SolidStore& store, PartId part, const Ray& ray, do
     return best;
 }
 
+/// Whether a bound is a convex solid whose inside the ray meets between t_min and end.
+inline bool surely_met(const Program& bound, const SolidStore& store, const Ray& ray, double t_min, double end)
+{
+    if (bound.nodes.size() != 1 || bound.nodes[0].inverted) return false;
+    return with_solid(store, bound.nodes[0].solid, [&](const auto& solid) {
+        Interval in;
+        if constexpr (requires { solid.interval(ray, in); })
+            return solid.interval(ray, in) && in.exit >= t_min && in.entry <= end;
+        else return false;
+    });
+}
+
 /// Whether a ray is let through to an item: it meets every bound at or beyond t_min, or starts inside. `end`: infinite,
 /// for a ray meets them however far off; a shadow ray's own end, for it may come from the light or go there.
 inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double end,
@@ -63,6 +75,7 @@ inline bool passes(const WorldData& world, const WorldItem& item, const Ray& ray
     if (!narrow(in_box, ray, guard.box.lower, guard.box.upper)) return false;
     for (const std::uint32_t p : guard.programs) {
         const Program& bound = world.programs[p];
+        if (surely_met(bound, world.store, ray, t_min, end)) continue;
         bool met = false;
         for (const Span& span : inside_spans(bound, world.store, ray, scratch))
             met = met || (span.out.t >= t_min && span.in.t <= end);

@@ -9,6 +9,8 @@
 #include "csg/items/world_item.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace csg {
 namespace {
@@ -221,7 +223,8 @@ Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8
             ask(i);
     };
     walk_nearest(world, ray, slabs, t_min, kind_bit, best, each);
-    std::vector<OrderedItem>& waiting = scratch.ordered_items();
+    std::vector<OrderedItem> waiting =
+        std::exchange(scratch.ordered_items(), {});  // an instance's world wants one, too
     waiting.clear();
     for (const std::uint32_t i : world.ordered)
         if (const double entry = box_entry(world.guards[world.items[i].guard], ray, t_min);
@@ -230,10 +233,16 @@ Hit World::first_in_order(const Ray& ray, double t_min, double t_max, std::uint8
     std::sort(waiting.begin(), waiting.end(), [](const OrderedItem& a, const OrderedItem& b) {
         return a.entry != b.entry ? a.entry < b.entry : a.item < b.item;
     });
-    for (const OrderedItem& next : waiting) {
-        if (next.entry > best.limit) break;
-        ask(next.item);
+    std::vector<std::uint32_t> together;
+    for (auto next = waiting.begin(); next != waiting.end() && next->entry <= best.limit;) {
+        const double entry = next->entry;
+        together.clear();
+        for (; next != waiting.end() && next->entry == entry; ++next) together.push_back(next->item);
+        if (together.size() > 1 && world.test_order) test_order().arrange(ray, together);
+        for (const std::uint32_t i : together)
+            if (entry <= best.limit) ask(i);
     }
+    scratch.ordered_items() = std::move(waiting);
     return best.hit;
 }
 

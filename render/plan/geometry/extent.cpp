@@ -234,6 +234,17 @@ csg::Aabb smaller_quadric_box(const csg::Aabb& box, const scene::Quadric& quadri
     return q.mixed == glm::dvec3(0.0) ? unless_too_long(fresh) : fresh;
 }
 
+/// A cone or a hyperboloid of one sheet along an axis, which is as wide as it is far.
+bool widens(const csg::Quadric& q)
+{
+    const glm::dvec3& a = q.square;
+    const int positive = (a.x > 0.0) + (a.y > 0.0) + (a.z > 0.0), negative = (a.x < 0.0) + (a.y < 0.0) + (a.z < 0.0);
+    if (positive + negative < 3 || positive == 0 || negative == 0) return false;
+    const glm::dvec3 moved = q.linear * q.linear / (4.0 * a);
+    const double rest = q.constant - moved.x - moved.y - moved.z;
+    return positive == 2 ? rest < kSmallestTerm : rest > -kSmallestTerm;
+}
+
 csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t)
 {
     csg::Aabb box = smaller_quadric_box(everything(), quadric, {}, everything());
@@ -300,6 +311,14 @@ csg::Aabb extent(const scene::Object& object)
 }  // namespace
 
 csg::Aabb described_extent(const scene::Object& object) { return extent(object); }
+
+bool finds_quadric_box(const scene::Object& object, const scene::Quadric& quadric)
+{
+    const auto mixed = [](const csg::Quadric& q) { return q.mixed != glm::dvec3(0.0); };
+    if (const csg::Quadric q = written_out(quadric, {}); !mixed(q) && !widens(q)) return true;
+    if (const auto& first = quadric.past->first_clips) return !mixed(written_out(quadric, first->transform));
+    return !object.details->clipped_by.empty() && !mixed(written_out(quadric, *object.transform));
+}
 
 csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth)
 {

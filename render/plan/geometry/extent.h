@@ -11,4 +11,8 @@ csg::Aabb described_extent(const scene::Object& object);
 /// The same of an object that stands in the space `parent`. `growth`: of boxes turned into the world from there.
 csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
 
+/// Whether POV-Ray found a box for the quadric that an object is, if only an endless one: then it drops its bounds
+/// (spec 5a, 9.2).
+bool finds_quadric_box(const scene::Object& object, const scene::Quadric& quadric);
+
 }  // namespace plan

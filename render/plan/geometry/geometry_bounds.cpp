@@ -20,12 +20,13 @@ constexpr double kSlack = 0.01;
 
 /// POV-Ray drops the bounds of all other kinds that have a box of their own, where they stand at top level (spec
 /// 5a, 9.2).
-bool keeps_bounds(const scene::Object& object, const csg::Aabb& drawn)
+bool keeps_bounds(const scene::Object& object)
 {
     if (std::holds_alternative<scene::Csg>(object.shape) || std::holds_alternative<scene::Polynomial>(object.shape) ||
         std::holds_alternative<scene::Extrusion>(object.shape))
         return true;
-    return scene::quadric_of(object) != nullptr && !drawn.finite();
+    const scene::Quadric* const quadric = scene::quadric_of(object);
+    return quadric != nullptr && !finds_quadric_box(object, *quadric);
 }
 
 bool has_disc(const scene::Object& object)
@@ -262,7 +263,7 @@ void GeometryCompiler::add_guard(const scene::Object& object, const Inherited& o
     if (lean && holds(guard.box, drawn)) guard = {};
     csg::BoundingGuard bounds = outer_bounds_.guard;
     if (item.instance == csg::Hit::kNoInstance && !drops_bounds(object, outer_bounds_.nested)) {
-        if (outer_bounds_.nested || keeps_bounds(object, drawn))
+        if (outer_bounds_.nested || keeps_bounds(object))
             must_meet(object, parent_of(object, own), own.parent_growth, bounds);
         else if (has_own_box(object) || bounding_active())
             bounds.box = bounds.box.intersected(placed_extent(object, own));
