@@ -8,8 +8,9 @@ namespace csg {
 
 #if defined(__AVX2__)
 
-/// Walks of many rays, a ray a lane: the same steps with the same numbers as TerrainWalk's own, of rays that are above
-/// the terrain. A lane that meets it waits until some others do; one whose ray is done takes the next.
+/// Walks of many rays, a ray a lane: the same steps with the same numbers as TerrainWalk's own. A ray below the terrain
+/// is one above it where all heights have the other sign, which rounding leaves alone. A lane that meets the terrain
+/// waits until some others do; one whose ray is done takes the next.
 class TerrainLanes {
 public:
     TerrainLanes(const HeightField& field, std::span<const Ray> rays, IntersectionList* out)
@@ -33,10 +34,12 @@ private:
         Numbers ox{}, oy{}, oz{}, dx{}, dy{}, dz{}, ix{}, iz{}, right{}, up{}, end{}, limit{};
         Numbers t{}, y{}, i{}, k{}, size{}, inverse{};  ///< of each walk's place
         Numbers row{};                                  ///< where its level begins, as if cells lay before the blocks
+        Numbers sign{};                                 ///< of heights: -1 of rays below the terrain
         Numbers above{};                                ///< the terrain, where known
         Numbers met_t{};                                ///< where it meets the terrain,
-        Mask found = 0, upper = 0;  ///< of those that come from above: in the cell's second triangle
+        Mask found = 0, upper = 0;                      ///< of those: in the cell's second triangle
         Mask going = 0, met = 0, ended = 0;
+        Mask under = 0;  ///< rays below the terrain
         Mask known = 0;  ///< those that have just come over a cell's triangles
         std::array<std::optional<TerrainWalk>, kLanes> walks;
     };
@@ -49,7 +52,7 @@ private:
     void take_next(Group& group, std::size_t lane);
     void look(Group& group, std::size_t lane);
     void advance(Group& group) const;
-    void read(Part& part, const Double& row, Mask blocks, Mask cells) const;
+    void read(Part& part, const Group& group, const Double& row, Mask blocks, Mask cells) const;
     Mask clear(Group& group, const Part& part, Mask cells) const;
 
     const HeightField& field_;
@@ -88,18 +91,21 @@ void TerrainLanes::take_next(Group& group, std::size_t lane)
         TerrainWalk& walk = group.walks[lane].emplace(field_, ray, out_[n]);
         if (!walk.start()) continue;
         const TerrainWalk::Place at = walk.first_place();
-        if (walk.done_ || walk.inside_ || d.x == 0.0 || d.z == 0.0 || at.t > walk.out_.to) {
+        if (walk.done_ || d.x == 0.0 || d.z == 0.0 || at.t > walk.out_.to) {
             walk.walk(at);
             walk.finish();
             continue;
         }
         const HeightField::Level& top = field_.levels_.back();
-        group.ox[lane] = o.x, group.oy[lane] = o.y, group.oz[lane] = o.z;
-        group.dx[lane] = d.x, group.dy[lane] = d.y, group.dz[lane] = d.z;
+        const double sign = walk.inside_ ? -1.0 : 1.0;
+        group.sign[lane] = sign;
+        group.under = (group.under & ~(1u << lane)) | ((walk.inside_ ? 1u : 0u) << lane);
+        group.ox[lane] = o.x, group.oy[lane] = sign * o.y, group.oz[lane] = o.z;
+        group.dx[lane] = d.x, group.dy[lane] = sign * d.y, group.dz[lane] = d.z;
         group.ix[lane] = walk.inverse_.x, group.iz[lane] = walk.inverse_.z;
         group.right[lane] = d.x > 0.0 ? 1.0 : 0.0, group.up[lane] = d.z > 0.0 ? 1.0 : 0.0;
         group.end[lane] = walk.end_, group.limit[lane] = walk.out_.to;
-        group.t[lane] = at.t, group.y[lane] = at.y, group.i[lane] = at.i, group.k[lane] = at.k;
+        group.t[lane] = at.t, group.y[lane] = sign * at.y, group.i[lane] = at.i, group.k[lane] = at.k;
         group.size[lane] = top.size, group.inverse[lane] = 1.0 / top.size, group.row[lane] = top.first;
         group.known &= ~(1u << lane);
         group.found &= ~(1u << lane);
@@ -108,7 +114,7 @@ void TerrainLanes::take_next(Group& group, std::size_t lane)
     }
 }
 
-/// A lane that waits: its ray is done, has met a cell's triangles or is below the terrain.
+/// A lane that waits: its ray is done, has met a cell's triangles or is beyond the terrain.
 void TerrainLanes::look(Group& group, std::size_t lane)
 {
     TerrainWalk& walk = *group.walks[lane];
@@ -120,7 +126,7 @@ void TerrainLanes::look(Group& group, std::size_t lane)
         const auto size = static_cast<std::uint32_t>(group.size[lane]);
         const TerrainWalk::Place at{static_cast<std::size_t>(std::countr_zero(size)) / TerrainWalk::kWideBits,
                                     static_cast<std::int32_t>(group.i[lane]), static_cast<std::int32_t>(group.k[lane]),
-                                    group.t[lane], group.y[lane]};
+                                    group.t[lane], group.sign[lane] * group.y[lane]};
         const double t = group.met_t[lane];
         if ((group.found & bit) != 0 && walk.out_.first_only && t >= walk.out_.from && t <= walk.out_.to) {
             const bool upper = (group.upper & bit) != 0;
@@ -129,7 +135,7 @@ void TerrainLanes::look(Group& group, std::size_t lane)
         }
         walk.known_ = (group.known & bit) != 0;
         walk.t_ = at.t;
-        walk.above_ = group.above[lane];
+        walk.above_ = group.sign[lane] * group.above[lane];
         walk.walk(at);
     }
     walk.finish();
@@ -137,7 +143,7 @@ void TerrainLanes::look(Group& group, std::size_t lane)
 }
 
 /// Lowest and highest levels of blocks and of cells, and a cell's corners as HeightField::corners() has them.
-inline void TerrainLanes::read(Part& part, const Double& row, Mask blocks, Mask cells) const
+inline void TerrainLanes::read(Part& part, const Group& group, const Double& row, Mask blocks, Mask cells) const
 {
     const Double pitch(static_cast<double>(field_.levels_[1].columns)),
         columns(static_cast<double>(field_.grid_.columns));
@@ -153,6 +159,13 @@ inline void TerrainLanes::read(Part& part, const Double& row, Mask blocks, Mask 
     }
     part.low = range.first();
     part.high = range.second();
+    if (group.under == 0) return;
+    const Bool under = lanes::lanes_of(group.under);
+    const Double low = part.low, sign = group.sign.load();
+    part.low = xsimd::select(under, -part.high, low);
+    part.high = xsimd::select(under, -low, part.high);
+    if (cells != 0)
+        for (Double& corner : part.corners) corner *= sign;
 }
 
 /// Which of them stay above the triangles of their cells: TerrainWalk::triangles(). Finds where others meet them.
@@ -160,6 +173,11 @@ inline TerrainLanes::Mask TerrainLanes::clear(Group& group, const Part& part, Ma
 {
     const Double zero(0.0), one(1.0);
     const auto& h = part.corners;
+    // On the terrain a ray is above it.
+    const auto below = [&](const Double& above) {
+        const Mask less = lanes::mask(above < zero);
+        return group.under == 0 ? less : (less & ~group.under) | (~lanes::mask(above > zero) & group.under);
+    };
     const auto in_cell = [&](const Double& v) { return xsimd::min(xsimd::max(v, zero), one); };
     const auto level = [&](const Double& x, const Double& z) {  // terrain_level()
         return xsimd::select(x + z <= one, h[0] + (h[1] - h[0]) * x + (h[2] - h[0]) * z,
@@ -174,13 +192,12 @@ inline TerrainLanes::Mask TerrainLanes::clear(Group& group, const Part& part, Ma
     const Double between = group.oy.load() + middle * group.dy.load() -
                            (h[1] + (h[2] - h[1]) * in_cell(oz + middle * dz - part.k));
     const Mask parted = lanes::mask(((s0 < zero) & (s1 > zero)) | ((s0 > zero) & (s1 < zero)));
-    const Mask met = (lanes::mask(first < zero) & ~group.known) | (lanes::mask(between < zero) & parted) |
-                     lanes::mask(last < zero);
+    const Mask met = (below(first) & ~group.known) | (below(between) & parted) | below(last);
     const Mask out = cells & ~met;
     const Double before = xsimd::select(lanes::lanes_of(group.known), group.above.load(), first);
-    if (const Mask found = cells & met & ~(lanes::mask(first < zero) & ~group.known); found != 0) {
+    if (const Mask found = cells & met & ~(below(first) & ~group.known); found != 0) {
         // TerrainWalk::edge(): between the last edge above it and the first below.
-        const Mask early = parted & lanes::mask(between < zero);
+        const Mask early = parted & below(between);
         const Bool from_start = lanes::lanes_of(early | ~parted), to_middle = lanes::lanes_of(early);
         const Double t0 = xsimd::select(from_start, part.t, middle), t1 = xsimd::select(to_middle, middle, part.to),
                      h0 = xsimd::select(from_start, before, between), h1 = xsimd::select(to_middle, between, last);
@@ -212,7 +229,7 @@ inline void TerrainLanes::advance(Group& group) const
     part.to = xsimd::max(t, xsimd::min(edge, end));
     part.y_to = group.oy.load() + to * group.dy.load();
     const Mask cells = lanes::mask(size == one) & group.going;
-    read(part, row, group.going & ~cells, cells);
+    read(part, group, row, group.going & ~cells, cells);
     const Mask below = lanes::mask(xsimd::max(part.y, part.y_to) < part.low);
     Mask past = lanes::mask(xsimd::min(part.y, part.y_to) > part.high) & group.going;
     group.known &= ~past;
