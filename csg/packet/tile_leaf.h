@@ -6,9 +6,9 @@
 #include "csg/packet/lanes/lane_quartic.h"
 #include "csg/packet/lanes/polynomial_sieve.h"
 #include "csg/packet/lanes/lane_torus.h"
-#include "csg/packet/merged_ends.h"
 #include "csg/packet/mesh_rays.h"
 #include "csg/packet/boolean/packed_boolean.h"
+#include "csg/packet/tile_many.h"
 #include "csg/packet/tile_walk.h"
 #include "csg/items/world_item.h"
 
@@ -191,6 +191,8 @@ private:
         return boolean.undecided;
     }
 
+    TileMany<Rays, Query> many() const { return {world, rays, query}; }
+
     /// A lone solid that answers many rays together.
     void together(std::uint32_t index, RayMask mask) const
     {
@@ -201,68 +203,16 @@ private:
             kind_of(item.solid) == SolidKind::Extrusion ? &world.store.all<Extrusion>()[at] : nullptr;
         if (extrusion != nullptr) mask = rays_near(*extrusion, rays, mask);
         if (mask == 0) return;
-        const RayBatch& batch = extrusion != nullptr ? told_of(*extrusion, mask, first_only)
-                                                     : told_of(world.store.all<Freeform>()[at], mask, first_only);
+        const RayBatch& batch = extrusion != nullptr
+                                    ? many().told_of(*extrusion, mask, first_only)
+                                    : many().told_of(world.store.all<Freeform>()[at], mask, first_only);
         for (std::size_t k = 0; k < batch.count; ++k) query.record(index, batch.place[k], batch.records[k]);
-    }
-
-    bool serves_merged(const WorldItem& item) const
-    {
-        return !item.boolean && !world.programs[item.program].merged.empty() && query.first_only(item);
-    }
-
-    /// A merge of many solids, by their drawn ends. Returns the rays that remain to be asked otherwise.
-    [[gnu::noinline]] RayMask by_merged(std::uint32_t index, RayMask mask) const
-    {
-        const Program& program = world.programs[world.items[index].program];
-        MergedEnds ends(program, world.store, query.scratch().merged_ends());
-        for (std::uint32_t s = 0; s < program.merged.size(); ++s) {
-            const MergedSolid& of = program.merged[s];
-            const RayMask asked = rays.intersect(of.drawn.lower, of.drawn.upper, mask);
-            if (asked == 0) continue;
-            const PartId part = program.nodes[of.node].solid;
-            const auto offer = [&](std::size_t k, double t, std::uint32_t face) {
-                if (t >= rays.t_min[k] && t <= rays.limit[k] && face != kUndrawnFace && t < kInfinity)
-                    ends.add(k, s, t, face);
-            };
-            with_solid(world.store, part, [&](const auto& solid) {
-                if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Freeform>) {
-                    const RayBatch& batch = told_of(solid, asked, false);
-                    for (std::size_t i = 0; i < batch.count; ++i)
-                        batch.records[i].each_span(
-                            [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
-                                offer(batch.place[i], in, in_face);
-                                offer(batch.place[i], out, out_face);
-                            });
-                } else {
-                    each_ray(asked, [&](std::size_t k) {
-                        const Ray ray = rays.ray(static_cast<int>(k));
-                        each_span_of(solid, ray, false, rays.t_min[k], rays.limit[k], origin_reach(ray),
-                                     {world.store, program.nodes.data(), of.node, {}},
-                                     query.scratch().leaf_spans(program.nodes[of.node].max_spans),
-                                     [&](double in, std::uint32_t in_face, double out, std::uint32_t out_face) {
-                                         offer(k, in, in_face);
-                                         offer(k, out, out_face);
-                                     });
-                    });
-                }
-            });
-        }
-        RayMask unclear = 0;
-        each_ray(mask, [&](std::size_t k) {
-            Crossing seen;
-            const auto answer = rays.limit[k] < 0.0 ? MergedEnds::Answer::Nothing
-                                                    : ends.nearest(k, rays.ray(static_cast<int>(k)), seen);
-            if (answer == MergedEnds::Answer::Seen) query.hit(index, k, hit_of(world.store, seen));
-            else if (answer == MergedEnds::Answer::Unclear) unclear |= RayMask{1} << k;
-        });
-        return unclear;
     }
 
     /// A CSG object of which some leaf answers many rays together: these first, then ray by ray.
     void fetched(std::uint32_t index, RayMask mask) const
     {
-        if (serves_merged(world.items[index])) mask = by_merged(index, mask);
+        if (many().serves_merged(world.items[index])) mask = many().by_merged(index, mask);
         FetchedSpans& known = query.scratch().fetched;
         const std::vector<Node>& nodes = world.programs[world.items[index].program].nodes;
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
@@ -273,7 +223,7 @@ private:
             const auto corner = [](const std::array<float, 3>& c) { return glm::dvec3(c[0], c[1], c[2]); };
             const RayMask asked = node.test_box ? rays.intersect(corner(node.lower), corner(node.upper), mask) : mask;
             if ((asked & (asked - 1)) == 0) continue;
-            const RayBatch& told = told_of(solid, asked, false, [&](const Ray& ray, Stretch& range) {
+            const RayBatch& told = many().told_of(solid, asked, false, [&](const Ray& ray, Stretch& range) {
                 return narrow_to_deciding(world.store, nodes.data(), i, ray, range);
             });
             known.add(&node, told, [&](std::size_t k) { return std::pair(rays.t_min[k], rays.limit[k]); });
@@ -284,27 +234,6 @@ private:
             each(index, std::countr_zero(mask));
         }
         known.clear();
-    }
-
-    template <class Solid>
-    const RayBatch& told_of(const Solid& solid, RayMask asked, bool first_only) const
-    {
-        return told_of(solid, asked, first_only, [](const Ray&, Stretch&) { return true; });
-    }
-
-    /// narrow(ray, range): to what the solid is asked for. False: for nothing.
-    template <class Solid, class Narrow>
-    const RayBatch& told_of(const Solid& solid, RayMask asked, bool first_only, Narrow&& narrow) const
-    {
-        RayBatch& batch = query.scratch().batch();
-        each_ray(asked, [&](std::size_t k) {
-            if (rays.limit[k] < 0.0) return;
-            const Ray ray = rays.ray(static_cast<int>(k));
-            Stretch part{rays.t_min[k], rays.limit[k]};
-            if (narrow(ray, part)) batch.add(ray, k, part.from, part.to, first_only);
-        });
-        solid.intersect_many(batch);
-        return batch;
     }
 
     /// False: its solver is not for lanes.

@@ -18,7 +18,7 @@ namespace detail {
 
 inline constexpr double kRangeRounding = 8 * 0x1p-53;  ///< a degree
 
-/// c becomes the ordinates of what it is between lo and hi. What they are off by, at most.
+/// `out`, empty before, becomes the ordinates of c between lo and hi. \return what they are off by, at most
 template <class V, class Row>
 [[gnu::always_inline]] inline V ordinates_between(const V* c, std::size_t degree, const V& lo, const V& hi, Row& out)
 {
