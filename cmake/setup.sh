@@ -1,8 +1,11 @@
 # shellcheck shell=bash
 # Sourced by ./run and ./check: packages, configuration. Defines `root`, `install_packages` and `build`.
-# A second call costs a comparison of two small files and one look of Ninja at the sources.
+# A second call costs a comparison of small files, which starts no program, and one look of Ninja at the sources.
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(cd "${BASH_SOURCE[0]%/*}/.." && pwd)
+
+# A file's text in REPLY, empty if there is none.
+contents() { REPLY='' && { [[ ! -r $1 ]] || IFS= read -r -d '' REPLY <"$1" || true; }; }
 
 installed() { [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 
@@ -40,8 +43,10 @@ missing_packages() {
 
 # install_packages PURPOSE: a browser and an editor are for the tests alone, for one.
 install_packages() {
-    local stamp=$root/build/packages.$1 missing
-    cat "$root/packages.txt" /etc/os-release 2>/dev/null | cmp -s - "$stamp" && return
+    local stamp=$root/build/packages.$1 missing wanted=
+    contents "$root/packages.txt" && wanted=$REPLY
+    contents /etc/os-release && wanted+=$REPLY
+    contents "$stamp" && [[ $REPLY == "$wanted" ]] && return
     command -v dpkg-query >/dev/null || { echo "this needs packages of Debian 12 or 13: $(packages "$1" | tr '\n' ' ')" >&2; exit 1; }
     missing=$(missing_packages "$1")
     if [[ -n $missing ]]; then
@@ -55,19 +60,19 @@ install_packages() {
         DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
     fi
     mkdir -p "$root/build"
-    cat "$root/packages.txt" /etc/os-release >"$stamp"
+    printf %s "$wanted" >"$stamp"
 }
 
-# The kernels to build, by level of x86-64: all of them; for ./check (`runnable`) those that this processor runs, since no test sees the
-# others; for ./run (`own`) the best of these, beside those that are configured already.
+# kernels_for HAD KIND: those to build, by level of x86-64: all of them; for ./check (`runnable`) those that this processor runs, since
+# no test sees the others; for ./run (`own`) the best of these, or those that are configured already.
 kernels_for() {
-    local had levels
-    [[ -n ${2:-} ]] || { echo "v2;v3;v4"; return; }
-    had=$(sed -n 's/^WHITTLE_ISA_LEVELS:STRING=//p' "$1/CMakeCache.txt" 2>/dev/null || true)
+    local had=$1 levels
+    [[ -n $2 ]] || { echo "v2;v3;v4"; return; }
+    [[ $2 != own || -z $had ]] || { echo "$had"; return; }
     levels=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort)
     levels=${levels:-v2}
     if [[ $2 == own ]]; then
-        echo "${had:-${levels##*$'\n'}}"
+        echo "${levels##*$'\n'}"
     elif [[ $had == "v2;v3;v4" ]]; then
         echo "$had"
     else
@@ -78,9 +83,11 @@ kernels_for() {
 # configure PRESET: when packages came since the last time (Ninja itself does when a CMake file changed). Afresh, for the compiler
 # and what was found may have gone with an older Debian.
 configure() {
-    local folder=$root/build/$1 stamp wanted='' levels
-    levels=$(kernels_for "$folder" "${kernels:-}")
-    grep -qsxF "WHITTLE_ISA_LEVELS:STRING=$levels" "$folder/CMakeCache.txt" && [[ -f $folder/build.ninja ]] || wanted=yes
+    local folder=$root/build/$1 stamp wanted='' had='' levels
+    contents "$folder/CMakeCache.txt"
+    [[ ! $REPLY =~ $'\nWHITTLE_ISA_LEVELS:STRING='([^$'\n']*) ]] || had=${BASH_REMATCH[1]}
+    levels=$(kernels_for "$had" "${kernels:-}")
+    [[ $levels == "$had" && -f $folder/build.ninja ]] || wanted=yes
     for stamp in "$root"/build/packages.*; do
         [[ $stamp -nt $folder/build.ninja ]] && wanted=yes
     done
