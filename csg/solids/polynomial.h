@@ -29,7 +29,7 @@ struct PolynomialCourse {
         possible = some & between;
     }
     V t(const V& root) const { return (shift + root) / length; }
-    /// Roots that are surely behind t, or surely before it.
+    /// A place on the root's scale that is surely behind t, and one that is surely before it.
     V behind(const V& t) const { return root(t) + doubt(root(t)); }
     V before(const V& t) const { return root(t) - doubt(root(t)); }
     /// Leaves the roots between t_min and t_max, and a little more.
@@ -75,9 +75,9 @@ struct Polynomial {
         if (inside) f(in, 0u, kInfinity, 0u);
     }
 
-    /// f(t, leaves) where the ray crosses the surface, nearest first; what is not between t_min and t_max may be left
-    /// out, or behind the first there with `nearest_only`. Of whether the ray is inside, also told at last, only
-    /// changes are known then.
+    /// f(t, leaves) where the ray crosses the surface, nearest first. Crossings beyond t_min and t_max may be left out,
+    /// with `nearest_only` also those behind the first between them; `leaves` is right only if none is.
+    /// \return whether the ray is inside beyond the last crossing, with the same proviso
     template <class F>
     bool each_crossing(const Ray& ray, double t_min, double t_max, bool nearest_only, F&& f) const
     {

@@ -173,7 +173,7 @@ inline TerrainLanes::Mask TerrainLanes::clear(Group& group, const Part& part, Ma
 {
     const Double zero(0.0), one(1.0);
     const auto& h = part.corners;
-    // On the terrain a ray is above it.
+    // A ray on the terrain counts as above it, and so has crossed it if it comes from below.
     const auto below = [&](const Double& above) {
         const Mask less = lanes::mask(above < zero);
         return group.under == 0 ? less : (less & ~group.under) | (~lanes::mask(above > zero) & group.under);

@@ -36,14 +36,14 @@ inline std::uint32_t may_change(const PolynomialRays<lanes::Double>& ordinates, 
 
 }  // namespace detail
 
-/// Whether rays_near() tells anything of the solid: those of low degree are solved as quickly.
+/// Whether rays_near() serves the solid: those of low degree are solved as quickly as sieved.
 inline bool has_sieve(const Polynomial& solid)
 {
     return solid.shape->degree() > 4 && solid.shape->degree() <= kMostRowDegree;
 }
 
-/// The rays that may meet the surface between t_min and limit. The others have no crossing there that each_crossing()
-/// would find: it comes upon the same ordinates.
+/// The rays that may meet the surface between t_min and limit. each_crossing() would find no crossing of the others
+/// there: it decides by the same ordinates.
 template <class Rays>
 inline RayMask rays_near(const Polynomial& solid, const Rays& rays, RayMask asked)
 {
