@@ -66,14 +66,15 @@ struct TileLeaf {
         if (kind_of(item.solid) == SolidKind::Torus && !guarded && torus(index, mask)) return;
         if (kind_of(item.solid) == SolidKind::Quadric && !guarded) return quadric(index, mask);
         if (serves_instance(item, mask)) return within(index, mask);
-        const bool mesh = serves_mesh(item, mask), quartic = serves_quartic(item, mask),
-                   sieve = serves_sieve(item, mask);
+        const Polynomial* const polynomial = polynomial_of(item, mask);
+        const bool mesh = serves_mesh(item, mask), quartic = polynomial != nullptr && QuarticEnds::serve(*polynomial),
+                   sieve = polynomial != nullptr && has_sieve(*polynomial);
         if (guarded && (mask & (mask - 1)) != 0 &&
             (item.simple || item.boolean || item.many || mesh || quartic || sieve))
             mask = passing(item, mask);
         if (mesh) return faces(index, mask);
-        if (quartic) return pieces(index, QuarticEnds(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask));
-        if (sieve) mask = rays_near(world.store.all<Polynomial>()[index_of(item.solid)], rays, mask);
+        if (quartic) return pieces(index, QuarticEnds(*polynomial, rays, mask));
+        if (sieve) mask = rays_near(*polynomial, rays, mask);
         if (item.many && (mask & (mask - 1)) != 0) {
             if (item.solid != kNoPart) return together(index, mask);
             return fetched(index, mask);
@@ -257,18 +258,13 @@ private:
         for (RayMask left = ends.unclear; left != 0; left &= left - 1) each(index, std::countr_zero(left));
     }
 
-    bool serves_quartic(const WorldItem& item, RayMask mask) const
+    /// A lone polynomial that enough rays come to; null otherwise.
+    const Polynomial* polynomial_of(const WorldItem& item, RayMask mask) const
     {
         constexpr int kFewest = 3;
-        return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
-               QuarticEnds::serve(world.store.all<Polynomial>()[index_of(item.solid)]);
-    }
-
-    bool serves_sieve(const WorldItem& item, RayMask mask) const
-    {
-        constexpr int kFewest = 3;
-        return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest &&
-               has_sieve(world.store.all<Polynomial>()[index_of(item.solid)]);
+        return kind_of(item.solid) == SolidKind::Polynomial && std::popcount(mask) >= kFewest
+                   ? &world.store.all<Polynomial>()[index_of(item.solid)]
+                   : nullptr;
     }
 
     /// Its second spans are kept while the first are looked at.
