@@ -162,6 +162,15 @@ inline void item_crossings(const WorldData& world, const WorldItem& item, const 
     });
 }
 
+/// What an item has in a shadow ray's way: blocked() if it is opaque all over and met, else f(Hit) of each crossing.
+template <class Blocked, class F>
+inline void item_in_the_way(const WorldData& world, const WorldItem& item, const Ray& ray, double t_min, double t_max,
+                            Scratch& scratch, const RaySlabs* slabs, Blocked&& blocked, F&& f)
+{
+    if (!item.all_opaque) return item_crossings(world, item, ray, t_min, t_max, scratch, slabs, f);
+    if (item_nearest(world, item, ray, t_min, t_max, scratch, slabs, t_max).found()) blocked();
+}
+
 /// Items that a ray meets in one place: the first in order, and another.
 struct Tie {
     std::uint32_t item, other;

@@ -243,15 +243,10 @@ public:
     void each(std::uint32_t index, int i)
     {
         const auto k = static_cast<std::size_t>(i);
-        const WorldItem& item = world_.items[index];
-        const double limit = rays_.limit[k];
-        if (item.all_opaque) {
-            if (item_nearest(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr, limit).found())
-                note_hit(RayMask{1} << i, true);
-            return;
-        }
-        item_crossings(world_, item, rays_.ray(i), rays_.t_min[k], limit, scratch_, nullptr,
-                       [&](const Hit& hit) { note_hit(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
+        item_in_the_way(
+            world_, world_.items[index], rays_.ray(i), rays_.t_min[k], rays_.limit[k], scratch_, nullptr,
+            [&] { note_hit(RayMask{1} << i, true); },
+            [&](const Hit& hit) { note_hit(RayMask{1} << i, world_.surface_opaque[hit.surface] != 0); });
     }
 
     template <class At>

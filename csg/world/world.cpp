@@ -62,11 +62,9 @@ inline Shadow shadow_walk(const WorldData& world, const Ray& ray, double t_min, 
     const auto each = [&](std::uint32_t i) {
         const WorldItem& item = world.items[i];
         if ((item.visible & world.shadow_kinds) == 0) return;
-        if (item.all_opaque && !world.faithful) {
-            if (item_nearest(world, item, ray, t_min, t_max, scratch, &slabs, t_max).found()) found = Shadow::Blocked;
-            return;
-        }
-        item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, take);
+        if (world.faithful) return item_crossings(world, item, ray, t_min, t_max, scratch, &slabs, take);
+        item_in_the_way(
+            world, item, ray, t_min, t_max, scratch, &slabs, [&] { found = Shadow::Blocked; }, take);
     };
     const auto sphere = [&](std::uint32_t i, double near, double far) {
         const WorldItem& item = world.items[i];

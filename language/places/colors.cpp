@@ -1,5 +1,7 @@
 #include "language/places/colors.h"
 
+#include "parser/lexer/color_word.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,22 +13,6 @@ using parser::Kind;
 namespace {
 
 constexpr std::size_t kMostSwatches = 5000;
-
-/// How many numbers follow a word; 0: it is none of those.
-std::size_t components_of(Kind word)
-{
-    switch (word) {
-    case Kind::Rgb:
-    case Kind::Srgb: return 3;
-    case Kind::Rgbf:
-    case Kind::Rgbt:
-    case Kind::Srgbf:
-    case Kind::Srgbt: return 4;
-    case Kind::Rgbft:
-    case Kind::Srgbft: return 5;
-    default: return 0;
-    }
-}
 
 /// A number with its sign; moves behind it.
 bool number_at(const Document& document, std::size_t& at, double& value)
@@ -100,14 +86,15 @@ std::vector<Swatch> swatches_of(const Document& document, bool linear_light)
 {
     std::vector<Swatch> found;
     for (std::size_t at = 0; at < document.tokens().size() && found.size() < kMostSwatches; ++at) {
-        const std::size_t count = components_of(document.kind(at));
+        const parser::ColorWord keyword = parser::color_word(document.kind(at));
+        const auto count = static_cast<std::size_t>(keyword.components);
         if (count == 0) continue;
         Swatch swatch;
         std::size_t end = at + 1;
         if (!numbers_at(document, end, count, swatch.value) || continues_expression(document.kind(end))) continue;
         swatch.word = document.word(at);
-        swatch.linear = linear_light && !swatch.word.starts_with('s');
-        if (swatch.word.ends_with("bt")) std::swap(swatch.value[3], swatch.value[4]);
+        swatch.linear = linear_light && !keyword.encoded;
+        if (keyword.transmits) std::swap(swatch.value[3], swatch.value[4]);
         swatch.range = {document.range(at).begin, document.range(end - 1).end};
         found.push_back(std::move(swatch));
         at = end - 1;

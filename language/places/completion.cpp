@@ -1,6 +1,7 @@
 #include "language/places/completion.h"
 
 #include "language/places/place_words.h"
+#include "parser/lexer/color_word.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -88,13 +89,8 @@ bool asks_for_number(Kind kind)
     case Kind::Exclamation:
     case Kind::Rotate:
     case Kind::Translate:
-    case Kind::Scale:
-    case Kind::Rgb:
-    case Kind::Rgbf:
-    case Kind::Rgbt:
-    case Kind::Rgbft:
-    case Kind::Srgb: return true;
-    default: return false;
+    case Kind::Scale: return true;
+    default: return parser::color_word(kind).components > 0;
     }
 }
 

@@ -17,10 +17,6 @@ constexpr Word kWords[] = {
 #define WHITTLE_SPELLING(word, kind) {word, Kind::kind},
 #define WHITTLE_NEW_SPELLING(word, kind) {word, Kind::kind, true},
 #include "parser/lexer/keywords.inc"
-#undef WHITTLE_KEYWORD
-#undef WHITTLE_NEW_KEYWORD
-#undef WHITTLE_SPELLING
-#undef WHITTLE_NEW_SPELLING
 };
 
 constexpr LexicalClass kClasses[] = {
@@ -29,10 +25,6 @@ constexpr LexicalClass kClasses[] = {
 #define WHITTLE_SPELLING(word, kind)
 #define WHITTLE_NEW_SPELLING(word, kind)
 #include "parser/lexer/keywords.inc"
-#undef WHITTLE_KEYWORD
-#undef WHITTLE_NEW_KEYWORD
-#undef WHITTLE_SPELLING
-#undef WHITTLE_NEW_SPELLING
 };
 
 // clang-format off

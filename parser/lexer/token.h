@@ -58,10 +58,6 @@ enum class Kind : std::uint16_t {
 #define WHITTLE_SPELLING(word, kind)
 #define WHITTLE_NEW_SPELLING(word, kind)
 #include "parser/lexer/keywords.inc"
-#undef WHITTLE_KEYWORD
-#undef WHITTLE_NEW_KEYWORD
-#undef WHITTLE_SPELLING
-#undef WHITTLE_NEW_SPELLING
     kCount
 };
 

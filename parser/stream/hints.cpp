@@ -1,5 +1,7 @@
 #include "parser/stream/token_stream.h"
 
+#include "parser/lexer/color_word.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +14,6 @@ namespace {
 std::size_t components_of(Kind keyword)
 {
     switch (keyword) {
-    case Kind::Rgb:
-    case Kind::Srgb:
     case Kind::Translate:
     case Kind::Rotate:
     case Kind::Scale:
@@ -23,13 +23,7 @@ std::size_t components_of(Kind keyword)
     case Kind::Right:
     case Kind::Up:
     case Kind::Sky: return 3;
-    case Kind::Rgbf:
-    case Kind::Rgbt:
-    case Kind::Srgbf:
-    case Kind::Srgbt: return 4;
-    case Kind::Rgbft:
-    case Kind::Srgbft: return 5;
-    default: return 0;
+    default: return static_cast<std::size_t>(color_word(keyword).components);
     }
 }
 

@@ -14,16 +14,22 @@ namespace {
 
 TestOrder::Box box(const glm::dvec3& lower, const glm::dvec3& upper) { return TestOrder::Box::of({lower, upper}); }
 
-/// The items in the order in which they are asked.
-std::vector<std::uint32_t> all_in_order(const TestOrder& order, const Ray& ray, std::size_t count)
+/// Items in the order in which they are asked, one asked for after the other.
+std::vector<std::uint32_t> in_order(const TestOrder& order, const Ray& ray, std::vector<std::uint32_t> left)
 {
-    std::vector<std::uint32_t> left(count), out;
-    std::iota(left.begin(), left.end(), 0u);
+    std::vector<std::uint32_t> out;
     while (!left.empty()) {
         out.push_back(order.first(ray, left));
         left.erase(std::find(left.begin(), left.end(), out.back()));
     }
     return out;
+}
+
+std::vector<std::uint32_t> all_in_order(const TestOrder& order, const Ray& ray, std::size_t count)
+{
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    return in_order(order, ray, all);
 }
 
 }  // namespace
@@ -75,7 +81,21 @@ TEST_CASE("every box that a ray meets is found in the hierarchy, in the order of
             return known[a].lower.z < known[b].lower.z;
         });
         CHECK(order.first(ray, met) == *nearest);
+        std::vector<std::uint32_t> arranged(met.rbegin(), met.rend());
+        order.arrange(ray, arranged);
+        CHECK(arranged == in_order(order, ray, met));
     }
+}
+
+TEST_CASE("items of one box are arranged where that box is asked, as they are declared", "[csg][test_order]")
+{
+    const std::vector<TestOrder::Box> boxes{box({-1.0, -1.0, 3.0}, {1.0, 1.0, 4.0}),
+                                            box({-1.0, -1.0, 1.0}, {1.0, 1.0, 4.0}),
+                                            box({-1.0, -1.0, 2.0}, {1.0, 1.0, 4.0})};
+    const TestOrder order(boxes, Roundings::V37, {0, 1, 1, 2});
+    std::vector<std::uint32_t> items{3, 2, 0, 1};
+    order.arrange({{0.1, 0.2, -5.0}, {0.0, 0.0, 1.0}}, items);
+    CHECK(items == std::vector<std::uint32_t>{1, 2, 3, 0});
 }
 
 TEST_CASE("boxes of which each is parted from all others do not take the square of their number", "[csg][test_order]")

@@ -70,6 +70,7 @@ TEST_CASE("words fit their place", "[places]")
     check("|", {"camera", "sphere", "global_settings"}, {"phong", "rgb"});
     check("#declare A = |", {"sphere", "sqrt", "texture", "array"}, {"global_settings", "phong"});
     check("sphere { 0, 1 translate <0, s|in(1), 0> }", {"sin", "sqrt"}, {"pigment"});
+    check("sphere { 0, 1 pigment { srgbft s|in(1) } }", {"sin", "sqrt"}, {"pigment", "granite"});
     check("#declare F = function(x, y) { | }", {"sin", "x"}, {"sphere"});
     check("union { box { 0, 1 } // a\n  sphere { 0, 1 } | }", {"sphere"}, {});
 }
@@ -150,6 +151,7 @@ TEST_CASE("colours of numbers alone have swatches", "[places]")
     CHECK(colors("global_settings { assumed_gamma 2.2 } rgb 0.5") == "38-45 0.500 0.500 0.500 1.000 ");
     CHECK(colors("rgbf <1, 1, 1, 0.25> rgbt <0, 0, 0, 1>") ==
           "0-20 1.000 1.000 1.000 0.750 21-38 0.000 0.000 0.000 0.000 ");
+    CHECK(colors("#version 3.7; srgbt <0.5, 0.5, 0.5, 1>") == "14-38 0.500 0.500 0.500 0.000 ");
     CHECK(colors("rgb A rgb <1, A, 0> rgb 1*A rgb <1, 1, 1>/2").empty());
 
     const Document document("/a.pov", "#version 3.7; rgb <1, 1, 1> rgbf <1, 1, 1, 0.5> srgb 1");

@@ -1,5 +1,7 @@
 #include "parser/grammar/ready/recipe_reader.h"
 
+#include "parser/lexer/color_word.h"
+
 #include <algorithm>
 
 namespace parser {
@@ -151,22 +153,14 @@ bool RecipeReader::no_number_follows() const
 bool RecipeReader::color(ColorRecipe& out)
 {
     tokens_.accept(Kind::Color);
-    int components = 5;
-    switch (tokens_.kind()) {
-    case Kind::Rgb: components = 3; break;
-    case Kind::Rgbf: components = 4; break;
-    case Kind::Rgbt:
-        components = 4;
-        out.transmits = true;
-        break;
-    case Kind::Rgbft: break;
-    default: return false;
-    }
+    const ColorWord word = color_word(tokens_.kind());
+    if (word.components == 0 || word.encoded) return false;
+    out.transmits = word.transmits;
     tokens_.take();
-    const auto place = tokens_.expression(components, true);
+    const auto place = tokens_.expression(word.components, true);
     if (!place) return false;
     out.value = *place;
-    out.components = components;
+    out.components = word.components;
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "parser/stream/blocks/compiler.h"
 
+#include "parser/lexer/color_word.h"
+
 #include <algorithm>
 
 /// Declarations and calls.
@@ -13,18 +15,6 @@ std::uint8_t slot_kind(const Value& value)
     if (const Tuple* const tuple = value.get_if<Tuple>()) return static_cast<std::uint8_t>(tuple->count);
     if (value.get_if<std::string>()) return kText;
     return value.get_if<std::shared_ptr<Array>>() ? kArray : kAny;
-}
-
-/// After a keyword of a colour; 0: it is none that is known here.
-int components_of_color(Kind kind)
-{
-    switch (kind) {
-    case Kind::Rgb: return 3;
-    case Kind::Rgbf:
-    case Kind::Rgbt: return 4;
-    case Kind::Rgbft: return 5;
-    default: return 0;
-    }
 }
 
 }  // namespace
@@ -72,8 +62,9 @@ bool BlockCompiler::declare(std::uint32_t& at, std::uint32_t end, std::uint32_t 
         return declare_array(at, end, local);
 
     const std::uint32_t name = tokens_[at].name, begin = at + (first.kind == Kind::Color ? 3u : 2u);
-    const int color = components_of_color(kind(begin));
-    const bool transmits = kind(begin) == Kind::Rgbt;
+    const ColorWord word = color_word(kind(begin));
+    if (word.encoded) return false;  // its value depends on assumed_gamma
+    const int color = word.components;
     if (first.kind == Kind::Color && color == 0) return false;
     at = begin + (color != 0 ? 1 : 0);
     const int written = expression(at, end, color != 0 ? Form{color, true, true} : Form{1, false, true});
@@ -81,7 +72,7 @@ bool BlockCompiler::declare(std::uint32_t& at, std::uint32_t end, std::uint32_t 
     const auto count = static_cast<std::uint8_t>(color != 0 ? 5 : written);
     const Value sample(Tuple{{}, count});
     if (!may_declare(name, sample, local)) return false;
-    if (color != 0) emitter_.color(static_cast<std::size_t>(written), transmits);
+    if (color != 0) emitter_.color(static_cast<std::size_t>(written), word.transmits);
     const std::uint32_t to = emitter_.slot(name, count);
     if (to == kNoIndex || !ended(at, end, true)) return false;
     know(name, sample, local);

@@ -1,5 +1,7 @@
 #include "parser/stream/expressions/operand.h"
 
+#include "parser/lexer/color_word.h"
+
 namespace parser {
 namespace {
 
@@ -9,26 +11,6 @@ double from_srgb(double written, const scene::GammaCurve& gamma)
 {
     if (gamma.kind == scene::GammaCurve::Kind::Srgb) return written;
     return gamma.curve().encode(image::TransferCurve::srgb().decode(static_cast<float>(written)));
-}
-
-struct VectorItem {
-    int nominal;
-    bool transmit_only, encoded;
-};
-
-bool vector_item(Kind kind, VectorItem& item)
-{
-    switch (kind) {
-    case Kind::Rgb: item = {3, false, false}; return true;
-    case Kind::Rgbf: item = {4, false, false}; return true;
-    case Kind::Rgbt: item = {4, true, false}; return true;
-    case Kind::Rgbft: item = {5, false, false}; return true;
-    case Kind::Srgb: item = {3, false, true}; return true;
-    case Kind::Srgbf: item = {4, false, true}; return true;
-    case Kind::Srgbt: item = {4, true, true}; return true;
-    case Kind::Srgbft: item = {5, false, true}; return true;
-    default: return false;
-    }
 }
 
 int component_item(Kind kind)
@@ -44,11 +26,11 @@ int component_item(Kind kind)
     }
 }
 
-Tuple read_vector_item(TokenStream& stream, const VectorItem& item, const scene::SourceRef& at)
+Tuple read_vector_item(TokenStream& stream, const ColorWord& item, const scene::SourceRef& at)
 {
-    Tuple value = requested_expr(stream, item.nominal, Level::Full);
-    if (value.count > item.nominal) stream.warn(at, "this color has more components than its keyword takes");
-    if (item.transmit_only) {
+    Tuple value = requested_expr(stream, item.components, Level::Full);
+    if (value.count > item.components) stream.warn(at, "this color has more components than its keyword takes");
+    if (item.transmits) {
         value.at[4] = value.at[3];
         value.at[3] = 0;
     }
@@ -73,8 +55,7 @@ scene::Color color_expr(TokenStream& stream)
     if (stream.peek().kind == Kind::Color) stream.next();
     for (;; any = true) {
         const Token token = any ? stream.peek_operator() : stream.peek();
-        VectorItem item{};
-        if (vector_item(token.kind, item)) {
+        if (const ColorWord item = color_word(token.kind); item.components > 0) {
             if (any) break;
             stream.next();
             color = read_vector_item(stream, item, stream.place(token));

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 namespace app {
@@ -15,9 +16,12 @@ constexpr std::chrono::milliseconds kGrace{250};
 
 }  // namespace
 
-LastResort::LastResort(Cancellation& cancel, std::function<void()> save)
-    : cancel_(cancel), save_(std::move(save)), thread_([this] { watch(); })
+LastResort::LastResort(Cancellation& cancel, std::function<void()> save) : cancel_(cancel), save_(std::move(save))
 {
+    // Not std::thread, which frees its work in the thread: malloc would make an arena for that, in runs of
+    // milliseconds.
+    const int failed = pthread_create(&thread_, nullptr, start, this);
+    if (failed != 0) throw std::system_error(failed, std::generic_category(), "cannot start a thread");
     cancel_.heeded = true;
 }
 
@@ -26,7 +30,7 @@ LastResort::~LastResort()
     noticed();
     cancel_.heeded = false;
     cancel_.wake();
-    thread_.join();
+    pthread_join(thread_, nullptr);
 }
 
 void LastResort::replace(std::function<void()> save)
@@ -40,6 +44,12 @@ void LastResort::noticed()
     const std::lock_guard lock(guard_);
     noticed_ = true;
     looked_.notify_all();
+}
+
+void* LastResort::start(void* self)
+{
+    static_cast<LastResort*>(self)->watch();
+    return nullptr;
 }
 
 void LastResort::watch()

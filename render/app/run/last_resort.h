@@ -5,7 +5,8 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
-#include <thread>
+
+#include <pthread.h>
 
 namespace app {
 
@@ -27,13 +28,14 @@ public:
     void noticed();
 
 private:
+    static void* start(void* self);
     void watch();
     Cancellation& cancel_;
     std::mutex guard_;  ///< held by who ends the run
     std::condition_variable looked_;
     std::function<void()> save_;
     bool noticed_ = false;
-    std::thread thread_;
+    pthread_t thread_;
 };
 
 }  // namespace app

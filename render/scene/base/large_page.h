@@ -43,7 +43,8 @@ inline bool take_large_page(void* memory, std::size_t bytes)
     madvise(memory, bytes, MADV_HUGEPAGE);
     const double before = thread_seconds();
     *static_cast<volatile char*>(memory) = 0;
-    return thread_seconds() - before < std::max(kClearing, kTouched * small_page_time());
+    const double taken = thread_seconds() - before;
+    return taken < kClearing || taken < kTouched * small_page_time();
 }
 
 /// Has the memory in pages of 2 MB as far as it holds whole ones, unless the first of them is slow. It is the caller's
