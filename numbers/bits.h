@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace csg {
+namespace numbers {
 
 /// The low bits of `bits`, in order, at the ones of the mask.
 inline std::uint64_t deposited(std::uint64_t bits, std::uint64_t mask)
@@ -19,4 +19,4 @@ inline std::uint64_t deposited(std::uint64_t bits, std::uint64_t mask)
 #endif
 }
 
-}  // namespace csg
+}  // namespace numbers

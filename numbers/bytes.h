@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Many bytes at a time, in registers that every processor of the kind has.
-namespace csg::lanes {
+namespace numbers::lanes {
 
 /// Which of 64 bytes are `to`: bit i for byte i.
 inline std::uint64_t equal(const std::uint8_t* values, std::uint8_t to)
@@ -29,4 +29,4 @@ inline void each_bit(const std::uint8_t* values, F&& take)
         take(bit, static_cast<std::uint32_t>(_mm_movemask_epi8(bytes)));
 }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

@@ -5,10 +5,10 @@
 #include <cstdint>
 
 /// Some lanes of a register of floats.
-namespace trace {
+namespace numbers {
 
-using csg::lanes::FloatPart;
-using csg::lanes::kFloatPart;
+using lanes::FloatPart;
+using lanes::kFloatPart;
 
 class FloatMask {
 public:
@@ -57,4 +57,4 @@ inline FloatPart FloatMask::chosen(FloatPart a, FloatPart b) const
 }
 #endif
 
-}  // namespace trace
+}  // namespace numbers

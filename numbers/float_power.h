@@ -5,19 +5,19 @@
 #include <cstdint>
 
 /// Powers in lanes of single precision, for what is only compared with a threshold.
-namespace trace {
+namespace numbers {
 
-using csg::lanes::FloatPart;
-using csg::lanes::kFloatPart;
+using lanes::FloatPart;
+using lanes::kFloatPart;
 
 /// c^n for 1e-30 <= c <= 256 and 0 < n <= 3, with a relative error below 1.5e-6. Results below 2^-120 become 2^-120.
 inline FloatPart float_power(const FloatPart& c, const FloatPart& n)
 {
     using Integers = xsimd::as_integer_t<FloatPart>;
     constexpr std::int32_t kOne = 0x3f800000, kRoot = 0x3f3504f3;  // 1 and the root of 1/2
-    const Integers bits = csg::lanes::same_bits<Integers>(c), steps = (bits + Integers(kOne - kRoot)) >> 23;
+    const Integers bits = lanes::same_bits<Integers>(c), steps = (bits + Integers(kOne - kRoot)) >> 23;
     const FloatPart e = xsimd::to_float(steps - Integers(127));
-    const FloatPart m = csg::lanes::same_bits<FloatPart>(bits - ((steps - Integers(127)) << 23));
+    const FloatPart m = lanes::same_bits<FloatPart>(bits - ((steps - Integers(127)) << 23));
     // log2 m = 2 artanh((m - 1) / (m + 1)) / ln 2 by its series: m lies between the roots of 1/2 and 2.
     const FloatPart f = (m - FloatPart(1.0f)) / (m + FloatPart(1.0f)), s = f * f;
     const FloatPart odd =
@@ -33,8 +33,7 @@ inline FloatPart float_power(const FloatPart& c, const FloatPart& n)
                           r * (FloatPart(0.693147181f) + r * (FloatPart(0.240226507f) + r * FloatPart(0.0555041087f)));
     const FloatPart high = FloatPart(0.00961812911f) + r * (FloatPart(0.00133335581f) + r * FloatPart(0.000154035304f));
     const FloatPart squared = r * r, power = low + squared * squared * high;
-    return csg::lanes::same_bits<FloatPart>(csg::lanes::same_bits<Integers>(power) +
-                                            (csg::lanes::same_bits<Integers>(shifted) << 23));
+    return lanes::same_bits<FloatPart>(lanes::same_bits<Integers>(power) + (lanes::same_bits<Integers>(shifted) << 23));
 }
 
-}  // namespace trace
+}  // namespace numbers

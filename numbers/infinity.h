@@ -2,8 +2,8 @@
 
 #include <limits>
 
-namespace csg {
+namespace numbers {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-}  // namespace csg
+}  // namespace numbers

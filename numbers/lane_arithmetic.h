@@ -10,7 +10,7 @@
 
 /// Small arithmetic of registers: signs, the least, products and sums with one rounding, whole numbers. What a template
 /// over a double or lanes of them needs has a form for each.
-namespace csg::lanes {
+namespace numbers::lanes {
 
 using Bool = Double::batch_bool_type;
 
@@ -125,4 +125,4 @@ inline void store_whole(const Double& v, std::int32_t* to)
 inline Double before() { return Double(-kInfinity); }
 inline Double beyond() { return Double(kInfinity); }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// Which of a tile's values are equal to one: bit i for value i.
-namespace csg::lanes {
+namespace numbers::lanes {
 
 inline std::uint64_t equal(const std::array<std::uint32_t, 64>& values, std::uint32_t to)
 {
@@ -44,4 +44,4 @@ inline std::uint64_t equal(const std::array<double, 64>& values, double to)
     return equal;
 }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

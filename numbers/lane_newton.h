@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace csg::lanes {
+namespace numbers::lanes {
 
 /// A function and its derivative at a place, a lane each.
 struct ValuesAndSlopes {
@@ -67,4 +67,4 @@ inline Double change_of_sign(const At& at, const Double& lo, const Double& hi,
     return newton.t;
 }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

@@ -10,7 +10,7 @@
 
 /// Powers of one number or of numbers in lanes, by sums and products alone: the same bits for both and for every
 /// instruction set, which neither the C library's nor xsimd's fused ones give. T is double or lanes::Double.
-namespace csg::lanes {
+namespace numbers::lanes {
 
 using Words = xsimd::batch<std::uint64_t>;
 
@@ -107,4 +107,4 @@ inline T power(const T& c, const T& n)
     return exponential(choose(y > least, y, least));
 }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

@@ -3,7 +3,7 @@
 #include "numbers/lanes.h"
 
 #if defined(__AVX2__)
-namespace csg::lanes {
+namespace numbers::lanes {
 
 /// Two numbers of 16 bits a lane, as they stand one behind the other in memory.
 class WordPairs {
@@ -63,5 +63,5 @@ private:
     Register v_;
 };
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes
 #endif

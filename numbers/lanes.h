@@ -10,7 +10,7 @@
 
 /// The vector unit of the instruction set that this file is compiled for. Code for different ones may share nothing
 /// that has it in its interface: sizes differ.
-namespace csg::lanes {
+namespace numbers::lanes {
 
 using Double = xsimd::batch<double>;
 inline constexpr int kDoubles = static_cast<int>(Double::size);
@@ -105,4 +105,4 @@ inline Double gathered(const double* from, const xsimd::batch<std::uint64_t>& at
 #endif
 }
 
-}  // namespace csg::lanes
+}  // namespace numbers::lanes

@@ -8,7 +8,7 @@
 
 /// Real roots of cubics and quartics by formula, polished. Each says when it cannot be sure: near tangents, where roots
 /// differ much in size, where coefficients are no numbers.
-namespace csg::detail {
+namespace numbers::detail {
 
 inline constexpr int kUnsure = -1;
 
@@ -140,4 +140,4 @@ inline int cubic_roots(const double* c, double* out)
     return count;
 }
 
-}  // namespace csg::detail
+}  // namespace numbers::detail

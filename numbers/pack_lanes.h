@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Numbers of some lanes put one behind the other.
-namespace trace {
+namespace numbers {
 
 #if defined(__AVX2__)
 /// By lanes: a byte each for the lanes to take from, the first in the lowest.
@@ -65,4 +65,4 @@ inline std::size_t pack(std::uint32_t lanes, const float* distances, const std::
 #endif
 }
 
-}  // namespace trace
+}  // namespace numbers

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace csg {
+namespace numbers {
 
 inline constexpr int kMostPolynomialDegree = 35;
 using PolynomialCoefficients = std::array<double, kMostPolynomialDegree + 1>;  ///< of powers of t, lowest first
@@ -183,4 +183,4 @@ inline int sign_changes(const PolynomialCoefficients& c, int degree, double (&ou
     return detail::roots_by_turns(c.data(), degree, -bound, bound, out);
 }
 
-}  // namespace csg
+}  // namespace numbers

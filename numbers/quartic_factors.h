@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Quartics solved by factors: one, or one a lane.
-namespace csg::detail {
+namespace numbers::detail {
 
 /// A positive number to about a tenth of its cube root: a third of the exponent. The series in quarters is for lanes,
 /// which cannot divide integers.
@@ -162,4 +162,4 @@ inline QuarticFactors<V> quartic_by_factors(const Curve& curve)
     return out;
 }
 
-}  // namespace csg::detail
+}  // namespace numbers::detail

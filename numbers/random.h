@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace trace {
+namespace numbers {
 
 /// Mixing steps of splitmix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
 inline std::uint64_t stirred(std::uint64_t v)
@@ -49,4 +49,4 @@ inline double random_at(const glm::dvec3& p, std::uint32_t purpose)
     return static_cast<double>(static_cast<std::int64_t>(h >> 11)) * 0x1p-53;  // signed numbers are converted in lanes
 }
 
-}  // namespace trace
+}  // namespace numbers

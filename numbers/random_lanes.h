@@ -6,21 +6,21 @@
 #include <cstddef>
 
 /// random_at for many points: the same bits.
-namespace trace {
+namespace numbers {
 
 #if defined(__AVX512DQ__)
 
-struct Words {
+struct RandomWords {
     static constexpr std::size_t kLanes = 8;
     __m512i v;
 
-    static Words load(const void* from) { return {_mm512_loadu_si512(from)}; }
-    static Words all(std::uint64_t v) { return {_mm512_set1_epi64(static_cast<long long>(v))}; }
-    Words operator+(Words o) const { return {_mm512_add_epi64(v, o.v)}; }
-    Words operator^(Words o) const { return {_mm512_xor_si512(v, o.v)}; }
-    Words operator*(std::uint64_t by) const { return {_mm512_mullo_epi64(v, all(by).v)}; }
+    static RandomWords load(const void* from) { return {_mm512_loadu_si512(from)}; }
+    static RandomWords all(std::uint64_t v) { return {_mm512_set1_epi64(static_cast<long long>(v))}; }
+    RandomWords operator+(RandomWords o) const { return {_mm512_add_epi64(v, o.v)}; }
+    RandomWords operator^(RandomWords o) const { return {_mm512_xor_si512(v, o.v)}; }
+    RandomWords operator*(std::uint64_t by) const { return {_mm512_mullo_epi64(v, all(by).v)}; }
     template <int kBits>
-    Words shifted() const
+    RandomWords shifted() const
     {
         return {_mm512_srli_epi64(v, kBits)};
     }
@@ -33,16 +33,16 @@ struct Words {
 
 #elif defined(__AVX2__)
 
-struct Words {
+struct RandomWords {
     static constexpr std::size_t kLanes = 4;
     __m256i v;
 
-    static Words load(const void* from) { return {_mm256_loadu_si256(static_cast<const __m256i*>(from))}; }
-    static Words all(std::uint64_t v) { return {_mm256_set1_epi64x(static_cast<long long>(v))}; }
-    Words operator+(Words o) const { return {_mm256_add_epi64(v, o.v)}; }
-    Words operator^(Words o) const { return {_mm256_xor_si256(v, o.v)}; }
+    static RandomWords load(const void* from) { return {_mm256_loadu_si256(static_cast<const __m256i*>(from))}; }
+    static RandomWords all(std::uint64_t v) { return {_mm256_set1_epi64x(static_cast<long long>(v))}; }
+    RandomWords operator+(RandomWords o) const { return {_mm256_add_epi64(v, o.v)}; }
+    RandomWords operator^(RandomWords o) const { return {_mm256_xor_si256(v, o.v)}; }
     /// From products of halves; that of the upper ones lies beyond the 64 bits.
-    Words operator*(std::uint64_t by) const
+    RandomWords operator*(std::uint64_t by) const
     {
         const __m256i low = all(by & 0xffffffffu).v, high = all(by >> 32).v;
         const __m256i crossed =
@@ -50,7 +50,7 @@ struct Words {
         return {_mm256_add_epi64(_mm256_mul_epu32(v, low), _mm256_slli_epi64(crossed, 32))};
     }
     template <int kBits>
-    Words shifted() const
+    RandomWords shifted() const
     {
         return {_mm256_srli_epi64(v, kBits)};
     }
@@ -74,14 +74,14 @@ inline void random_at(const double* x, const double* y, const double* z, const s
                       std::uint32_t next, std::size_t count, double* out)
 {
 #if defined(__AVX2__)
-    const auto mixed = [](Words w) {
+    const auto mixed = [](RandomWords w) {
         w = (w ^ w.shifted<30>()) * 0xbf58476d1ce4e5b9u;
         w = (w ^ w.shifted<27>()) * 0x94d049bb133111ebu;
         return w ^ w.shifted<31>();
     };
-    for (std::size_t n = 0; n < count; n += Words::kLanes) {
-        const Words first = (Words::load(purpose + n) + Words::all(next + 1u)) * 0x9e3779b97f4a7c15u;
-        mixed(mixed(mixed(Words::load(x + n) + first) ^ Words::load(y + n)) + Words::load(z + n))
+    for (std::size_t n = 0; n < count; n += RandomWords::kLanes) {
+        const RandomWords first = (RandomWords::load(purpose + n) + RandomWords::all(next + 1u)) * 0x9e3779b97f4a7c15u;
+        mixed(mixed(mixed(RandomWords::load(x + n) + first) ^ RandomWords::load(y + n)) + RandomWords::load(z + n))
             .store_numbers(out + n);
     }
 #else
@@ -90,4 +90,4 @@ inline void random_at(const double* x, const double* y, const double* z, const s
 #endif
 }
 
-}  // namespace trace
+}  // namespace numbers

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// Rounding without a call: to single precision in one direction, as boxes and rays are for every query; to integers.
-namespace csg {
+namespace numbers {
 
 /// The float below `f`; finite or +infinity.
 inline float next_below(float f)
@@ -38,4 +38,4 @@ inline long long truncated_far(double v)
 #endif
 }
 
-}  // namespace csg
+}  // namespace numbers

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace texture {
+namespace numbers {
 
 /// Four doubles, whatever the instruction set.
 struct Row {
@@ -72,4 +72,4 @@ struct Row {
     }
 };
 
-}  // namespace texture
+}  // namespace numbers

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace csg {
+namespace numbers {
 
 /// A function and its derivative at one place.
 struct ValueAndSlope {
@@ -43,4 +43,4 @@ inline double safeguarded_newton(const At& at, double lo, double hi, bool negati
     return t;
 }
 
-}  // namespace csg
+}  // namespace numbers

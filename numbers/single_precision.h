@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 /// Numbers that POV-Ray holds in single precision, as double.
-namespace csg {
+namespace numbers {
 
 /// \return v rounded to a float
 inline double single(double v)
@@ -17,4 +17,4 @@ inline double single(double v)
 }
 inline glm::dvec3 single(const glm::dvec3& p) { return {single(p.x), single(p.y), single(p.z)}; }
 
-}  // namespace csg
+}  // namespace numbers

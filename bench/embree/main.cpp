@@ -103,7 +103,7 @@ std::uint64_t count(const std::vector<csg::RayTile>& tiles)
 void measure(const Scene& scene, const char* kind, Asked asked, const std::vector<csg::RayTile>& rays,
              const std::vector<Method>& methods, int runs)
 {
-    std::vector<double> least(methods.size(), csg::kInfinity);
+    std::vector<double> least(methods.size(), numbers::kInfinity);
     std::vector<std::uint64_t> found(methods.size());
     for (int run = 0; run < runs; ++run)
         for (std::size_t m = 0; m < methods.size(); ++m) {

@@ -25,8 +25,8 @@ Tree node(Tree::Op op, std::vector<Tree> operands)
 
 std::vector<double> seen(Object& object, const Ray& ray)
 {
-    const auto [first, last] =
-        csg::visible_crossings(object.program, object.store, ray, -csg::kInfinity, csg::kInfinity, object.scratch);
+    const auto [first, last] = csg::visible_crossings(object.program, object.store, ray, -numbers::kInfinity,
+                                                      numbers::kInfinity, object.scratch);
     std::vector<double> all;
     for (const csg::Crossing* c = first; c != last; ++c) all.push_back(c->t);
     return all;
@@ -100,7 +100,7 @@ CsgRow corners(bool planes, long rays)
         if (rng.coin()) corner[rng.below(3)] = rng.uniform(-1.0, 1.0);
         const glm::dvec3 from = turn.point(rng.point(0.9)), to = turn.point(corner);
         const csg::Crossing met = csg::nearest_visible(object.program, object.store, {from, glm::normalize(to - from)},
-                                                       0.0, csg::kInfinity, object.scratch);
+                                                       0.0, numbers::kInfinity, object.scratch);
         row.wrong += met.part == csg::kNoPart || std::abs(met.t - glm::length(to - from)) > 1e-12 ? 1 : 0;
     }
     return row;

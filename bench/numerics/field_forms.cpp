@@ -137,7 +137,7 @@ Form parametric_form()
             }
             void ranges(const csg::EightBoxes&, csg::EightRanges& out) const override
             {
-                for (int k = 0; k < 8; ++k) out.low.v[k] = -csg::kInfinity, out.high.v[k] = csg::kInfinity;
+                for (int k = 0; k < 8; ++k) out.low.v[k] = -numbers::kInfinity, out.high.v[k] = numbers::kInfinity;
             }
             bool ranged() const override { return false; }
             double (*g)(double, double);

@@ -59,13 +59,13 @@ public:
     {
         std::vector<double> ends;
         const auto add = [&](const csg::Crossing& end) {
-            if (!(end.t > -csg::kInfinity && end.t < csg::kInfinity)) return;
+            if (!(end.t > -numbers::kInfinity && end.t < numbers::kInfinity)) return;
             ends.push_back(end.t);
             if (faces) faces->push_back(end.face);
         };
         if (surface_) {
-            const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity,
-                                                              csg::kInfinity, object_.scratch);
+            const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -numbers::kInfinity,
+                                                              numbers::kInfinity, object_.scratch);
             std::for_each(first, last, add);
             return ends;
         }
@@ -84,8 +84,8 @@ public:
         std::uint64_t ends = 0;
         if (surface_) {
             for (const Ray& ray : rays) {
-                const auto [first, last] = csg::visible_crossings(object_.program, object_.store, ray, -csg::kInfinity,
-                                                                  csg::kInfinity, object_.scratch);
+                const auto [first, last] = csg::visible_crossings(
+                    object_.program, object_.store, ray, -numbers::kInfinity, numbers::kInfinity, object_.scratch);
                 ends += static_cast<std::uint64_t>(last - first);
             }
             return ends;
@@ -192,7 +192,7 @@ private:
             return;
         }
         const auto t = static_cast<double>(truth[0]);
-        const double off = spread(t), gap = ends.empty() ? csg::kInfinity : ends[0] - t;
+        const double off = spread(t), gap = ends.empty() ? numbers::kInfinity : ends[0] - t;
         if (std::abs(gap) <= off * case_.size + 1e-12 * reach_)
             return error(ray, gap, ends[0], faces[0], off / case_.form->bar);
         // Where it may be told farther off than its size it need not be told.
@@ -256,7 +256,8 @@ private:
     void spawned(const Ray& ray, double tolerance, double incidence)
     {
         ++spawns_;
-        double own = csg::kInfinity, beyond = csg::kInfinity;  // the nearest; of those ahead, beyond the tolerance
+        double own = numbers::kInfinity,
+               beyond = numbers::kInfinity;  // the nearest; of those ahead, beyond the tolerance
         std::vector<std::uint32_t> faces;
         const std::vector<double> ends = answers_(ray, &faces);
         for (const double t : ends) {
@@ -341,7 +342,7 @@ double nanoseconds(Answers& answers, const std::vector<Ray>& rays)
 {
     constexpr double kLong = 2e7;
     using Clock = std::chrono::steady_clock;
-    double best = csg::kInfinity, spent = 0.0;
+    double best = numbers::kInfinity, spent = 0.0;
     while (spent < kLong) {
         const auto begin = Clock::now();
         const std::uint64_t ends = answers.count(rays);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "numbers/infinity.h"
+#include "csg/base/numbers.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/numbers.h"
 #include "numbers/lanes.h"
 
 #include <cmath>

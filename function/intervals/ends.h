@@ -170,10 +170,10 @@ inline constexpr double kLogarithmError = 2e-11;
 [[gnu::always_inline]] inline Ends logarithms(const Batch& low, const Batch& high)
 {
     constexpr std::size_t kTerms = 5;  // what is left out is below 1.9e-11
-    const auto l = csg::lanes::scaled(low), h = csg::lanes::scaled(high);
+    const auto l = numbers::lanes::scaled(low), h = numbers::lanes::scaled(high);
     const Batch one(1.0), under_l = l.mantissa + one, under_h = h.mantissa + one, part = one / (under_l * under_h);
-    return {csg::lanes::logarithm_by<kTerms>((l.mantissa - one) * (under_h * part), l.exponent),
-            csg::lanes::logarithm_by<kTerms>((h.mantissa - one) * (under_l * part), h.exponent)};
+    return {numbers::lanes::logarithm_by<kTerms>((l.mantissa - one) * (under_h * part), l.exponent),
+            numbers::lanes::logarithm_by<kTerms>((h.mantissa - one) * (under_l * part), h.exponent)};
 }
 
 /// Below and above e^x, for x = from and x = to, which are off by at most `error`. Beyond the series' range 0 and
@@ -184,8 +184,8 @@ inline constexpr double kLogarithmError = 2e-11;
     constexpr double kMost = 699.0, kSeries = 4e-10;  // above the error of the series, of numbers up to 699 as well
     const double room = kSeries + 2.0 * error;
     const auto inside = [](const Batch& v) { return xsimd::min(Batch(kMost), xsimd::max(Batch(-kMost), v)); };
-    const Ends out{csg::lanes::exponential<kTerms>(inside(from)) * Batch(1.0 - room),
-                   csg::lanes::exponential<kTerms>(inside(to)) * Batch(1.0 + room)};
+    const Ends out{numbers::lanes::exponential<kTerms>(inside(from)) * Batch(1.0 - room),
+                   numbers::lanes::exponential<kTerms>(inside(to)) * Batch(1.0 + room)};
     return {xsimd::select(from >= Batch(-kMost), out.low, Batch(0.0)),
             xsimd::select(to <= Batch(kMost), out.high, Batch(kInf))};
 }

@@ -116,7 +116,7 @@ EightIntervals growing(const EightIntervals& a, F&& f, double from = -kInf, doub
 {
     return batchwise(a, a, [&](const Ends& x, const Ends&) {
         const Batch least(from), most(to);
-        const Ends w = widened(f(csg::lanes::larger(x.low, least)), f(csg::lanes::smaller(x.high, most)));
+        const Ends w = widened(f(numbers::lanes::larger(x.low, least)), f(numbers::lanes::smaller(x.high, most)));
         return or_all((x.high < least) | (x.low > most), -kInf, kInf, w);
     });
 }

@@ -30,9 +30,9 @@ inline V angle_of(const Pair<V>& y, const Pair<V>& x, const Truth& left)
     const Pair<V> t = n / d;
 
     constexpr std::array<double, 4> kSeries = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9};
-    const V q = t.high * t.high, small = t.low + t.high * q * csg::lanes::polynomial(kSeries, q);
+    const V q = t.high * t.high, small = t.low + t.high * q * lanes::polynomial(kSeries, q);
     // 0, a right angle or a straight one, plus or minus that of the table and the small one
-    const V zero(0.0), one(1.0), sign = choose(csg::lanes::differ(steep, left), V(-1.0), one);
+    const V zero(0.0), one(1.0), sign = choose(lanes::differ(steep, left), V(-1.0), one);
     const V turns = choose(steep, one, choose(left, V(2.0), zero));
     const Pair<V> base = ordered_sum(turns * V(kHalfPi.high), sign * column<0>(kAngles, row));
     const Pair<V> sum = ordered_sum(base.high, sign * t.high);

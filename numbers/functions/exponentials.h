@@ -70,7 +70,7 @@ inline Pair<V> twice_sinh(const V& x, const Pair<V>& up, const Pair<V>& down)
     const V q = x * x;
     constexpr std::array<double, 6> kOdd = {2.0 / 6,      2.0 / 120,      2.0 / 5040,
                                             2.0 / 362880, 2.0 / 39916800, 2.0 / 6227020800};
-    const Pair<V> series = ordered_sum(x + x, x * q * csg::lanes::polynomial(kOdd, q));
+    const Pair<V> series = ordered_sum(x + x, x * q * lanes::polynomial(kOdd, q));
     const Pair<V> sum = exact_sum(up.high, V(0.0) - down.high);
     const Pair<V> difference = ordered_sum(sum.high, sum.low + (up.low - down.low));
     const auto small = x < V(kSmall);

@@ -8,20 +8,20 @@ namespace numbers {
 
 namespace {
 
-using csg::lanes::mask;
+using lanes::mask;
 
 template <class One, class... V>
 [[gnu::noinline, gnu::cold]] Double one_by_one(Double out, std::uint32_t which, One&& one, const V&... of)
 {
-    for (int lane = 0; lane < csg::lanes::kDoubles; ++lane)
+    for (int lane = 0; lane < lanes::kDoubles; ++lane)
         if ((which >> lane & 1u) != 0) {
             const auto n = static_cast<std::size_t>(lane);
             const auto at = [n](const Double& v) {
-                alignas(64) std::array<double, static_cast<std::size_t>(csg::lanes::kDoubles)> all;
+                alignas(64) std::array<double, static_cast<std::size_t>(lanes::kDoubles)> all;
                 v.store_aligned(all.data());
                 return all[n];
             };
-            alignas(64) std::array<double, static_cast<std::size_t>(csg::lanes::kDoubles)> all;
+            alignas(64) std::array<double, static_cast<std::size_t>(lanes::kDoubles)> all;
             out.store_aligned(all.data());
             all[n] = one(at(of)...);
             out = Double::load_aligned(all.data());
@@ -33,7 +33,7 @@ template <class One, class... V>
 template <class Bool, class One, class... V>
 Double completed(const Double& quick, const Bool& plain, One&& one, const V&... of)
 {
-    constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+    constexpr std::uint32_t kAll = (1u << lanes::kDoubles) - 1u;
     const std::uint32_t left = ~mask(plain) & kAll;
     if (left == 0) [[likely]]
         return quick;

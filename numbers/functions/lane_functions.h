@@ -6,7 +6,7 @@
 /// The functions of numbers in lanes, with the bits that each has alone.
 namespace numbers {
 
-using csg::lanes::Double;
+using lanes::Double;
 
 Double sin(const Double& x);
 Double cos(const Double& x);

@@ -40,7 +40,7 @@ inline V quick_logarithm(const V& x)
                                                -1.0 / 6, 1.0 / 7, -1.0 / 8, 1.0 / 9};
     const LogarithmParts<V> of = logarithm_parts(x);
     const Pair<V> sum = ordered_sum(of.first, of.r);
-    return sum.high + ((sum.low + (of.rest + of.r_rest)) + of.r * of.r * csg::lanes::polynomial(kSeries, of.r));
+    return sum.high + ((sum.low + (of.rest + of.r_rest)) + of.r * of.r * lanes::polynomial(kSeries, of.r));
 }
 
 /// ln x + more, to 2^-68 of it, for plain x; `more` is small beside ln x, or x is 1.
@@ -52,7 +52,7 @@ inline Pair<V> logarithm_of(const V& x, const V& more)
     const LogarithmParts<V> of = logarithm_parts(x);
     const V r = of.r, r_top = top(r), half = V(0.5) * r_top * r_top, half_rest = V(0.5) * (r - r_top) * (r + r_top);
     const Pair<V> a = ordered_sum(of.first, r), b = ordered_sum(a.high, V(0.0) - half);
-    const V curved = r * r * r * csg::lanes::polynomial(kSeries, r) - half_rest;
+    const V curved = r * r * r * lanes::polynomial(kSeries, r) - half_rest;
     return ordered_sum(b.high, ((a.low + b.low) + (of.rest + more)) + ((of.r_rest - of.r_rest * r) + curved));
 }
 template <class V>

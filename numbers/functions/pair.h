@@ -9,12 +9,12 @@
 /// written: what a processor fuses is fused only where its result is exact, so all machines agree to the last bit.
 namespace numbers {
 
-using csg::lanes::choose;
-using csg::lanes::Double;
-using csg::lanes::number_of;
-using csg::lanes::signed_as;
-using csg::lanes::size_of;
-using csg::lanes::words_of;
+using lanes::choose;
+using lanes::Double;
+using lanes::number_of;
+using lanes::signed_as;
+using lanes::size_of;
+using lanes::words_of;
 
 /// high + low, where low is smaller than high by the precision of a double, if not said otherwise.
 template <class V>
@@ -51,7 +51,7 @@ constexpr Pair<V> exact_product(const V& a, const V& b)
 {
     const V p = a * b;
 #if defined(__FMA__)
-    if (!std::is_constant_evaluated()) return {p, csg::lanes::fused(a, b, V(0.0) - p)};
+    if (!std::is_constant_evaluated()) return {p, lanes::fused(a, b, V(0.0) - p)};
 #endif
     const V c = a * V(134217729.0), d = b * V(134217729.0);  // 2^27 + 1
     const V ah = c - (c - a), bh = d - (d - b), al = a - ah, bl = b - bh;
@@ -80,7 +80,7 @@ constexpr Pair<V> operator/(const Pair<V>& n, const Pair<V>& d)
 template <class V>
 inline Pair<V> root_of(const Pair<V>& v)
 {
-    const V r = csg::lanes::root_of(v.high);
+    const V r = lanes::root_of(v.high);
     const Pair<V> p = exact_product(r, r);
     const V rest = ((v.high - p.high) - p.low) + v.low;
     return {r, choose(r == V(0.0), V(0.0), rest / (r + r))};
@@ -96,9 +96,9 @@ inline double column(const Table<Rows, Columns>& table, std::uint64_t row)
     return table[row][Column];
 }
 template <std::size_t Column, std::size_t Rows, std::size_t Columns>
-inline Double column(const Table<Rows, Columns>& table, const csg::lanes::Words& row)
+inline Double column(const Table<Rows, Columns>& table, const lanes::Words& row)
 {
-    return csg::lanes::gathered(table[0].data() + Column, row << std::countr_zero(Columns));
+    return lanes::gathered(table[0].data() + Column, row << std::countr_zero(Columns));
 }
 
 }  // namespace numbers

@@ -13,7 +13,7 @@ namespace {
 
 using Pieces = std::vector<Piece>;
 
-constexpr double kWhole = csg::kInfinity;
+constexpr double kWhole = numbers::kInfinity;
 
 Pieces everything() { return {{{-kWhole, nullptr}, {kWhole, nullptr}}}; }
 

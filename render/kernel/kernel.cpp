@@ -51,7 +51,7 @@ public:
         rays_.oy.fill(scene.camera.location.y);
         rays_.oz.fill(scene.camera.location.z);
         rays_.t_min.fill(scene.tolerance.hit);
-        rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : csg::kInfinity);
+        rays_.t_max.fill(camera_.max_distance() > 0.0 ? camera_.max_distance() : numbers::kInfinity);
     }
 
     /// False: it was cancelled (Scratch's watch) in the middle of a tile, and the tracer can only be freed.

@@ -67,7 +67,7 @@ private:
     {
         const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32 |
                                     static_cast<std::uint32_t>(x);
-        const auto seed = static_cast<std::uint32_t>(trace::stirred(place + 0x9e3779b97f4a7c15u));
+        const auto seed = static_cast<std::uint32_t>(numbers::stirred(place + 0x9e3779b97f4a7c15u));
         asked_.push_back({static_cast<double>(x), static_cast<double>(y), seed, 0});
         for (std::uint32_t i = 1; i < samples_; ++i) {
             const std::array<double, 2> at = trace::sobol_point(seed, i);

@@ -12,7 +12,7 @@
 /// double or lanes::Double, P has x, y and z of that type.
 namespace light {
 
-using csg::lanes::choose;
+using numbers::lanes::choose;
 
 /// POV-Ray's: a fade_distance below it counts as not given.
 inline constexpr double kLeastFadeDistance = 1e-10;
@@ -48,7 +48,7 @@ V spot(const Light& light, const P& direction, const V& distance, const Mask& as
     const bool bounded = light.cos_radius > 0.0;  // by a cone, beyond which it is dark
     const Mask lit = asked & (ahead > zero) &
                      (ahead >= V(bounded ? std::min(light.cos_radius, light.cos_falloff) : 0.0));
-    if (csg::lanes::mask(lit) == 0) return zero;
+    if (numbers::lanes::mask(lit) == 0) return zero;
     V factor = light.tightness == 0.0 ? V(1.0) : raised(ahead, light.tightness, lit);
     if (bounded)
         factor = choose(ahead < V(light.cos_radius), factor * smooth_step(light.cos_falloff, light.cos_radius, ahead),
@@ -63,9 +63,9 @@ V cylinder(const Light& light, const P& point, const Mask& asked)
     const V x = point.x - V(from.x), y = point.y - V(from.y), z = point.z - V(from.z);
     const V along = x * V(axis.x) + y * V(axis.y) + z * V(axis.z);
     const V bx = x - along * V(axis.x), by = y - along * V(axis.y), bz = z - along * V(axis.z);
-    const V beside = csg::lanes::root_of(bx * bx + by * by + bz * bz), inside = V(1.0) - beside / V(light.falloff);
+    const V beside = numbers::lanes::root_of(bx * bx + by * by + bz * bz), inside = V(1.0) - beside / V(light.falloff);
     const Mask lit = asked & (along > V(0.0)) & (beside < V(light.falloff));
-    if (csg::lanes::mask(lit) == 0) return V(0.0);
+    if (numbers::lanes::mask(lit) == 0) return V(0.0);
     V factor = light.tightness == 0.0 ? V(1.0) : raised(inside, light.tightness, lit);
     if (light.radius > 0.0)
         factor = choose(beside > V(light.radius), factor * smooth_step(0.0, 1.0 - light.radius / light.falloff, inside),

@@ -19,8 +19,8 @@ inline void each_entry(const BlendPoints& blends, std::uint32_t entries, std::si
     const std::uint64_t all = first_bits(count);
     std::uint64_t lower = 0, upper = 0;  // whose entries have been found
     for (std::uint32_t entry = 0; entry < entries && (lower & upper) != all; ++entry) {
-        const std::uint64_t low = all & csg::lanes::equal(blends.lower, entry),
-                            high = all & csg::lanes::equal(blends.upper, entry);
+        const std::uint64_t low = all & numbers::lanes::equal(blends.lower, entry),
+                            high = all & numbers::lanes::equal(blends.upper, entry);
         lower |= low;
         upper |= high;
         if ((low | high) != 0) f(entry, low | high);

@@ -2,7 +2,7 @@
 
 #include "numbers/lane_power.h"
 
-/// Fresnel's equations, for one ray (double) and for many (csg::lanes::Double): the same bits.
+/// Fresnel's equations, for one ray (double) and for many (numbers::lanes::Double): the same bits.
 namespace texture {
 
 /// Share of unpolarised light that a smooth boundary mirrors; 1 beyond the critical angle.
@@ -11,8 +11,8 @@ namespace texture {
 template <class T>
 inline T fresnel_share(const T& eta, const T& c)
 {
-    using csg::lanes::choose;
-    const T zero(0.0), one(1.0), q = eta * eta + c * c - one, g = csg::lanes::root_of(q);
+    using numbers::lanes::choose;
+    const T zero(0.0), one(1.0), q = eta * eta + c * c - one, g = numbers::lanes::root_of(q);
     const T a = (g - c) / (g + c);
     const T b = (c * (g + c) - one) / (c * (g - c) + one);
     const T share = T(0.5) * a * a * (one + b * b);

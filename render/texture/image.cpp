@@ -22,17 +22,17 @@ template <class T>
 T wrapped(const T& v, double size)
 {
     const T r = numbers::fmod(v, T(size));
-    return csg::lanes::choose(r < T(0.0), r + T(size), r);
+    return numbers::lanes::choose(r < T(0.0), r + T(size), r);
 }
 
 /// Height on the tube of a torus of radius 1, 0 to 1 (spec 4, 8.2).
 template <class T>
 T around_tube(const T& px, const T& py, const T& pz)
 {
-    using csg::lanes::root_of;
+    using numbers::lanes::root_of;
     const T one(1.0), x = root_of(px * px + pz * pz) - one, r = root_of(x * x + py * py),
-                      turned = numbers::acos(csg::lanes::negated(x) / r) / T(kTau);
-    return csg::lanes::choose(py > T(0.0), one - turned, turned);
+                      turned = numbers::acos(numbers::lanes::negated(x) / r) / T(kTau);
+    return numbers::lanes::choose(py > T(0.0), one - turned, turned);
 }
 
 /// A mirror ball's picture, as of light probes: <0, 0, 1> in the middle, <0, 0, -1> all around (spec 7b, 7).
@@ -40,27 +40,27 @@ T around_tube(const T& px, const T& py, const T& pz)
 template <class T>
 T from_middle(const T& x, const T& y, const T& z)
 {
-    using csg::lanes::root_of;
+    using numbers::lanes::root_of;
     const T beside = root_of(x * x + y * y), length = root_of(x * x + y * y + z * z);
     const T reach = numbers::acos(z / length) / T(kTau) / beside;
-    return csg::lanes::choose(beside == T(0.0), T(0.0), reach);
+    return numbers::lanes::choose(beside == T(0.0), T(0.0), reach);
 }
 
 /// The point in texels, rightward and upward; false where the projection has none.
 template <class T>
-csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const glm::dvec2& size)
+numbers::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const glm::dvec2& size)
 {
     const T zero(0.0), one(1.0), sx(size.x), sy(size.y), beside = x * x + z * z;
-    const csg::lanes::Truth<T> left = (x < zero), right = (x > one), low = (y < zero), high = (y > one),
-                               off_axis = !(beside == zero);
+    const numbers::lanes::Truth<T> left = (x < zero), right = (x > one), low = (y < zero), high = (y > one),
+                                   off_axis = !(beside == zero);
     switch (image.projection) {
     case Image::Projection::Planar:
         x = numbers::fmod(x * sx, sx);
         y = numbers::fmod(y * sy, sy);
         return image.once ? !(left | right | low | high) : zero == zero;
     case Image::Projection::Spherical: {
-        const T length = csg::lanes::root_of(x * x + y * y + z * z);
-        x = csg::lanes::choose(off_axis, turn(x, z) * sx, zero);
+        const T length = numbers::lanes::root_of(x * x + y * y + z * z);
+        x = numbers::lanes::choose(off_axis, turn(x, z) * sx, zero);
         y = (T(0.5) + numbers::asin(y / length) / T(std::numbers::pi)) * sy;
         return !(length == zero);
     }
@@ -75,7 +75,7 @@ csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const g
         return off_axis;
     }
     case Image::Projection::Angular: {
-        const csg::lanes::Truth<T> somewhere = !(x * x + y * y + z * z == zero);
+        const numbers::lanes::Truth<T> somewhere = !(x * x + y * y + z * z == zero);
         const T reach = from_middle(x, y, z);
         x = (T(0.5) + x * reach) * sx;
         y = (T(0.5) + y * reach) * sy;
@@ -87,19 +87,19 @@ csg::lanes::Truth<T> project(const Image& image, T& x, T& y, const T& z, const g
 
 /// The point as its place in the picture, in texels; false where it is not.
 template <class T>
-csg::lanes::Truth<T> find_place(const Image& image, T& x, T& y, const T& z)
+numbers::lanes::Truth<T> find_place(const Image& image, T& x, T& y, const T& z)
 {
     const glm::dvec2 real{image.width, image.height}, move = kTiny - image.offset * real;
     const T zero(0.0), width(real.x), height(real.y);
-    csg::lanes::Truth<T> there = project(image, x, y, z, real * image.repeat);
+    numbers::lanes::Truth<T> there = project(image, x, y, z, real * image.repeat);
     x = x + T(move.x);
     y = y + T(move.y);
-    const csg::lanes::Truth<T> number_x = x - x == zero, number_y = y - y == zero, left = x < zero, low = y < zero,
-                               right = x >= width, high = y >= height;
+    const numbers::lanes::Truth<T> number_x = x - x == zero, number_y = y - y == zero, left = x < zero, low = y < zero,
+                                   right = x >= width, high = y >= height;
     there = there & number_x & number_y;
     if (image.once) there = there & !(left | low | right | high);
     x = wrapped(x, real.x);
-    y = wrapped(csg::lanes::negated(y), real.y);
+    y = wrapped(numbers::lanes::negated(y), real.y);
     return there;
 }
 
@@ -238,7 +238,7 @@ Places places_of(const Image& image, const Points& p)
     Places out;
     for (std::size_t i = 0; i < p.size(); i += kLanes) {
         Double x = get(p.x, i), y = get(p.y, i);
-        out.there |= std::uint64_t{csg::lanes::mask(find_place(image, x, y, get(p.z, i)))} << i;
+        out.there |= std::uint64_t{numbers::lanes::mask(find_place(image, x, y, get(p.z, i)))} << i;
         x.store_aligned(out.x.data() + i);
         y.store_aligned(out.y.data() + i);
     }
@@ -249,11 +249,11 @@ Places places_of(const Image& image, const Points& p)
 template <class T>
 void bend_by_heights(const T& size, const T& here, const T& left, const T& right, T& nx, T& ny, T& nz)
 {
-    using csg::lanes::choose;
-    using csg::lanes::root_of;
+    using numbers::lanes::choose;
+    using numbers::lanes::root_of;
     const T zero(0.0), one(1.0), two(2.0);
     const auto scale = [&](const T& x, const T& y, const T& z) { return one / root_of(x * x + y * y + z * z); };
-    const T across = csg::lanes::negated(size) * (right - left), down = size * (two * here - left - right),
+    const T across = numbers::lanes::negated(size) * (right - left), down = size * (two * here - left - right),
             bump = scale(across, two, down);
     // Beside the normal and the vertical; a vertical normal has one of the picture's own.
     const T cx = ny * zero - one * nz, cy = nz * zero - zero * nx, cz = nx * one - zero * ny;

@@ -82,7 +82,7 @@ void store_places(const Values& places, std::size_t count, std::array<std::uint3
         _mm256_store_si256(reinterpret_cast<__m256i*>(to.data() + i), eight_places(places.data() + i));
 #else
     for (std::size_t i = 0; i < count; i += kLanes)
-        csg::lanes::store_whole(get(places, i), reinterpret_cast<std::int32_t*>(to.data() + i));
+        numbers::lanes::store_whole(get(places, i), reinterpret_cast<std::int32_t*>(to.data() + i));
 #endif
 }
 
@@ -185,8 +185,8 @@ Double folded(const Double& v, const Pattern& pattern)
     const Double modulus(kModulus), moved = v * Double(pattern.frequency) + Double(pattern.phase),
                                     size = xsimd::abs(moved);
     // A difference is exact where it suffices, and mostly it does.
-    if (csg::lanes::mask(size < Double(2.0 * kModulus)) != (1u << kLanes) - 1) return numbers::fmod(moved, modulus);
-    return csg::lanes::signed_as(xsimd::select(size < modulus, size, size - modulus), moved);
+    if (numbers::lanes::mask(size < Double(2.0 * kModulus)) != (1u << kLanes) - 1) return numbers::fmod(moved, modulus);
+    return numbers::lanes::signed_as(xsimd::select(size < modulus, size, size - modulus), moved);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace texture {
 template <class V>
 inline V grazing_weight(const V& cosine)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     const V none(0.0), full(1.0), least(-1.0);
     const V x = numbers::acos(choose(cosine < least, least, cosine)) / V(std::numbers::pi / 2.0), q = x - V(1.12);
     const V weight = V(0.014567225) / (q * q) - V(0.011612903);

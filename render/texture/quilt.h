@@ -14,7 +14,7 @@ template <class T>
 inline T quilt_offset(const T& v)
 {
     using std::floor;
-    const T cell = csg::lanes::choose(v >= T(0.0), floor(v), T(0.0) - floor(T(0.0) - v) - T(1.0));
+    const T cell = numbers::lanes::choose(v >= T(0.0), floor(v), T(0.0) - floor(T(0.0) - v) - T(1.0));
     return v - cell - T(0.5);
 }
 inline glm::dvec3 quilt_offset(const glm::dvec3& p)

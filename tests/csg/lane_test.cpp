@@ -42,31 +42,32 @@ glm::dvec3 direction(Rng& rng, const glm::dvec3& origin, const glm::dvec3& targe
 
 TEST_CASE("arithmetic that templates share is the same for a double and in lanes, to the last bit", "[csg][lanes]")
 {
-    using lanes::Double;
+    using csg::lanes::Double;
     Rng rng(1);
     std::vector<double> numbers{0.0,    -0.0,      1.0,        -1.0, 0.1,     1e300,       -1e300,
                                 5e-324, kInfinity, -kInfinity, 0.75, -1e-308, std::nan("")};
     for (int k = 0; k < 20; ++k) numbers.push_back(std::ldexp(rng.uniform(-1.0, 1.0), rng.below(200) - 100));
     const auto check = [](double alone, const Double& several) {
-        alignas(64) std::array<double, lanes::kDoubles> each;
+        alignas(64) std::array<double, csg::lanes::kDoubles> each;
         several.store_aligned(each.data());
         for (const double lane : each) REQUIRE((same_bits(lane, alone) || (lane != lane && alone != alone)));
     };
     for (const double a : numbers) {
         const Double as(a);
-        check(lanes::negated(a), lanes::negated(as));
-        check(lanes::size_of(a), lanes::size_of(as));
-        check(lanes::root_of(a), lanes::root_of(as));
+        check(csg::lanes::negated(a), csg::lanes::negated(as));
+        check(csg::lanes::size_of(a), csg::lanes::size_of(as));
+        check(csg::lanes::root_of(a), csg::lanes::root_of(as));
         for (const double b : numbers) {
             INFO(a << " and " << b);
             const Double bs(b);
-            check(lanes::smaller(a, b), lanes::smaller(as, bs));
-            check(lanes::larger(a, b), lanes::larger(as, bs));
-            check(lanes::signed_as(std::abs(a), b), lanes::signed_as(xsimd::abs(as), bs));
-            check(lanes::choose(a < b, a, b), lanes::choose(as < bs, as, bs));
-            check(lanes::fused(a, b, 0.1), lanes::fused(as, bs, Double(0.1)));
+            check(csg::lanes::smaller(a, b), csg::lanes::smaller(as, bs));
+            check(csg::lanes::larger(a, b), csg::lanes::larger(as, bs));
+            check(csg::lanes::signed_as(std::abs(a), b), csg::lanes::signed_as(xsimd::abs(as), bs));
+            check(csg::lanes::choose(a < b, a, b), csg::lanes::choose(as < bs, as, bs));
+            check(csg::lanes::fused(a, b, 0.1), csg::lanes::fused(as, bs, Double(0.1)));
             check(a / b, as / bs);
-            REQUIRE((lanes::mask(lanes::differ(as <= bs, as == bs)) != 0) == lanes::differ(a <= b, a == b));
+            REQUIRE((csg::lanes::mask(csg::lanes::differ(as <= bs, as == bs)) != 0) ==
+                    csg::lanes::differ(a <= b, a == b));
         }
     }
 }
@@ -83,23 +84,23 @@ TEST_CASE("a quadric in lanes has the span of each ray, or is unclear", "[csg][l
                             rng.uniform(-1, 0.5),
                             frame};
         const glm::dvec3 origin = frame.offset + rng.direction() * (rng.coin() ? 5.0 : 0.5);
-        const lanes::Test<Quadric, glm::dvec3> test(solid, origin);
-        alignas(64) std::array<double, lanes::kDoubles> x, y, z, entry, exit;
+        const csg::lanes::Test<Quadric, glm::dvec3> test(solid, origin);
+        alignas(64) std::array<double, csg::lanes::kDoubles> x, y, z, entry, exit;
         for (std::size_t i = 0; i < x.size(); ++i) {
             const glm::dvec3 d = direction(rng, origin, frame.offset, frame);
             x[i] = d.x, y[i] = d.y, z[i] = d.z;
         }
-        const auto load = [](const auto& of) { return lanes::Double::load_aligned(of.data()); };
-        const lanes::Intervals in = test({load(x), load(y), load(z)});
+        const auto load = [](const auto& of) { return csg::lanes::Double::load_aligned(of.data()); };
+        const csg::lanes::Intervals in = test({load(x), load(y), load(z)});
         in.entry.store_aligned(entry.data());
         in.exit.store_aligned(exit.data());
         for (std::size_t i = 0; i < x.size(); ++i) {
-            if (((lanes::mask(in.unclear) >> i) & 1u) != 0) continue;
+            if (((csg::lanes::mask(in.unclear) >> i) & 1u) != 0) continue;
             INFO("seed " << seed << ": direction " << x[i] << ' ' << y[i] << ' ' << z[i]);
             Span memory[4];
             SpanList spans(memory, 4);
             solid.intersect({origin, {x[i], y[i], z[i]}}, spans);
-            REQUIRE(spans.size() == ((lanes::mask(in.met) >> i) & 1u));
+            REQUIRE(spans.size() == ((csg::lanes::mask(in.met) >> i) & 1u));
             if (spans.empty()) continue;
             ++met;
             REQUIRE(same_bits(entry[i], spans[0].in.t));
@@ -130,15 +131,15 @@ TEST_CASE("boxes that stand in one space and in others are met as each is alone"
         }
         const TileRays<OwnOrigins> rays(tile);
         for (std::uint32_t k = 0; k < boxes.size(); ++k)
-            lanes::with_test(store, make_part(SolidKind::OrientedBox, k), rays, [&](const auto& at) {
+            csg::lanes::with_test(store, make_part(SolidKind::OrientedBox, k), rays, [&](const auto& at) {
                 each_vector(rays.all(), [&](int i) {
-                    const lanes::Intervals in = at(i);
-                    alignas(64) std::array<double, lanes::kDoubles> entry;
+                    const csg::lanes::Intervals in = at(i);
+                    alignas(64) std::array<double, csg::lanes::kDoubles> entry;
                     in.entry.store_aligned(entry.data());
-                    for (int lane = 0; lane < lanes::kDoubles && i + lane < tile.count; ++lane) {
+                    for (int lane = 0; lane < csg::lanes::kDoubles && i + lane < tile.count; ++lane) {
                         Interval alone;
                         const bool hit = boxes[k].interval(tile.ray(i + lane), alone);
-                        REQUIRE(((lanes::mask(in.met) >> lane) & 1u) == (hit ? 1u : 0u));
+                        REQUIRE(((csg::lanes::mask(in.met) >> lane) & 1u) == (hit ? 1u : 0u));
                         if (!hit) continue;
                         ++met;
                         REQUIRE(same_bits(entry[static_cast<std::size_t>(lane)], alone.entry));
@@ -182,8 +183,8 @@ TEST_CASE("a quartic in lanes has the pieces of each ray, or leaves it", "[csg][
             for (std::uint32_t which = 0; which < QuarticEnds::kPieces; ++which) {
                 REQUIRE(has(ends.met[which]) == (which < spans.size()));
                 if (which >= spans.size()) continue;
-                const int vector = static_cast<int>(k) / lanes::kDoubles * lanes::kDoubles;
-                const lanes::Intervals in = ends.piece(static_cast<int>(which), vector);
+                const int vector = static_cast<int>(k) / csg::lanes::kDoubles * csg::lanes::kDoubles;
+                const csg::lanes::Intervals in = ends.piece(static_cast<int>(which), vector);
                 const std::size_t lane = k - static_cast<std::size_t>(vector);
                 REQUIRE(same_bits(in.entry.get(lane), spans[which].in.t));
                 REQUIRE(same_bits(in.exit.get(lane), spans[which].out.t));

@@ -85,7 +85,7 @@ void check_solid(const T& solid, const Check& how = {})
 template <class T>
 void check_hostile(const T& solid)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = csg::kInfinity;
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = numbers::kInfinity;
     const double values[] = {0.0, -0.0, 1.0, -1.0, 1e-320, 1e308, -1e308, inf, -inf, nan, 1e-160};
     Rng rng(7);
     for (int k = 0; k < 4000; ++k) {

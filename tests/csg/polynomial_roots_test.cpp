@@ -95,7 +95,7 @@ TEST_CASE("sign changes in a range that holds them all are those that turning po
         const Known known = known_roots(rng, degree);
         double wanted[PolynomialShape::kMostDegree], found[PolynomialShape::kMostDegree];
         const int all = sign_changes(known.c, degree, wanted);
-        double lo = -detail::root_bound(known.c.data(), degree), hi = -lo;
+        double lo = -csg::detail::root_bound(known.c.data(), degree), hi = -lo;
         if (rng.coin()) {
             const double middle = all == 0 ? known.scale * rng.uniform(-5, 5) : 0.0;
             lo = (all == 0 ? middle : wanted[0]) - known.scale * rng.uniform(0.01, 2.0);
@@ -171,8 +171,8 @@ TEST_CASE("ordinates of a ray a lane are to the last bit those of one ray", "[cs
         const double lo = rng.uniform(-3, 3), hi = lo + rng.uniform(0.1, 4.0);
         PolynomialRow<2> row, row_low;
         PolynomialRays<double> rays, rays_low;
-        const double error = detail::ordinates_between(c.data(), n, lo, hi, row);
-        REQUIRE(detail::ordinates_between(c.data(), n, lo, hi, rays) == error);
+        const double error = csg::detail::ordinates_between(c.data(), n, lo, hi, row);
+        REQUIRE(csg::detail::ordinates_between(c.data(), n, lo, hi, rays) == error);
         row.halve(n, row_low);
         rays.halve(n, rays_low);
         double upper[16], lower[16];
@@ -235,8 +235,9 @@ TEST_CASE("cubics and quartics by formula are rarely unsure and never wrong", "[
         PolynomialShape::Along c{};
         for (int i = 0; i <= degree; ++i) c[static_cast<std::size_t>(i)] = rng.uniform(-1, 1);
         double found[PolynomialShape::kMostDegree];
-        const int count = degree == 4 ? detail::quartic_roots(c.data(), found) : detail::cubic_roots(c.data(), found);
-        if (count == detail::kUnsure) {
+        const int count = degree == 4 ? csg::detail::quartic_roots(c.data(), found)
+                                      : csg::detail::cubic_roots(c.data(), found);
+        if (count == csg::detail::kUnsure) {
             ++unsure;
             return;
         }
@@ -282,12 +283,12 @@ TEST_CASE("a Newton step too short to move its place ends the search of a polyno
     // A quartic as blobs have, by its ordinates; bisection from the far end of the bracket took 54 looks.
     const std::array<double, 5> b = {0x1.e41ec3d70a3d7p-11, 0x1.44e1019cccccdp-6, 0x1.312b31e666667p-7,
                                      0x1.3dc6c7499999ap-6, -0x1.1b1556299999ap-6};
-    const std::array<double, 5> c = detail::quartic_powers(b);
+    const std::array<double, 5> c = csg::detail::quartic_powers(b);
     int looks = 0;
     const auto at = [&](double t) {
         ++looks;
         ValueAndSlope here{};
-        detail::evaluate(c.data(), 4, t, here.value, here.slope);
+        csg::detail::evaluate(c.data(), 4, t, here.value, here.slope);
         return here;
     };
     const double t = safeguarded_newton<true>(at, 0.0, 1.0, false, b[0] / (b[0] - b[4]), {0.0, 1e-15}, 300);

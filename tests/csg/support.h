@@ -42,8 +42,9 @@ inline csg::Ray ray_near(Rng& rng, const glm::dvec3& target, double size, double
 /// A ray whose numbers are of the kind that breaks arithmetic.
 inline csg::Ray hostile_ray(Rng& rng)
 {
-    const double values[] = {0.0,          -0.0,   1.0, -1.0, 1e-320, 1e308, -1e308, csg::kInfinity, -csg::kInfinity,
-                             std::nan(""), 1e-160, 0.5};
+    const double values[] = {
+        0.0,          -0.0,   1.0, -1.0, 1e-320, 1e308, -1e308, numbers::kInfinity, -numbers::kInfinity,
+        std::nan(""), 1e-160, 0.5};
     csg::Ray ray{};
     for (int i = 0; i < 3; ++i) ray.origin[i] = values[rng.below(12)], ray.direction[i] = values[rng.below(12)];
     return ray;

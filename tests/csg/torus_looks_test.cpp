@@ -11,7 +11,7 @@ using csg_test::Rng;
 
 TEST_CASE("what looks say of rays and a torus is what its crossings say", "[csg][lanes]")
 {
-    constexpr auto kAtOnce = static_cast<std::uint32_t>(lanes::kDoubles);
+    constexpr auto kAtOnce = static_cast<std::uint32_t>(csg::lanes::kDoubles);
     std::uint32_t said = 0, all = 0;
     for (const double minor : {0.02, 0.25, 0.6, 0.999, 1.2, 3.0}) {
         const Torus torus{1.0, minor, {}};
@@ -34,10 +34,10 @@ TEST_CASE("what looks say of rays and a torus is what its crossings say", "[csg]
                     d[axis][k] = rays[k].direction[axis];
                 }
             }
-            const auto load = [](const auto& lanes) { return lanes::Double::load_aligned(lanes.data()); };
+            const auto load = [](const auto& lanes) { return csg::lanes::Double::load_aligned(lanes.data()); };
             TorusRays own{{load(o[0]), load(o[1]), load(o[2])}, {load(d[0]), load(d[1]), load(d[2])}, {}};
             own.square = TorusRays::length2(own.d);
-            const std::uint32_t by = lanes::mask(looks.passes_by(own));
+            const std::uint32_t by = csg::lanes::mask(looks.passes_by(own));
             const auto [meets, misses] = looks.look(own, load(t_min), load(limit), (1u << kAtOnce) - 1);
             for (std::uint32_t k = 0; k < kAtOnce; ++k) {
                 INFO("minor " << minor << ", seed " << seed + k);

@@ -13,11 +13,11 @@ using csg_test::tube_ray;
 namespace {
 
 /// The torus along a ray in its own frame, unscaled.
-detail::TorusRay<> along(const Torus& torus, const Ray& ray)
+csg::detail::TorusRay<> along(const Torus& torus, const Ray& ray)
 {
     const glm::dvec3 foot = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
     const glm::dvec3& d = ray.direction;
-    detail::TorusRay<> made{foot.x, foot.y, foot.z, d.x, d.y, d.z, torus.major, torus.minor};
+    csg::detail::TorusRay<> made{foot.x, foot.y, foot.z, d.x, d.y, d.z, torus.major, torus.minor};
     made.expand();
     return made;
 }
@@ -32,13 +32,13 @@ TEST_CASE("torus by factors and by search find the same crossings", "[csg][solid
         for (std::uint32_t seed = 0; seed < 4000; ++seed) {
             INFO("minor " << minor << ", seed " << seed);
             Rng rng(seed);
-            const detail::TorusRay<> ray = along(torus, tube_ray(rng, torus, seed % 4 == 0));
-            const detail::QuarticFactors<double> fast = detail::torus_by_factors(ray);
+            const csg::detail::TorusRay<> ray = along(torus, tube_ray(rng, torus, seed % 4 == 0));
+            const csg::detail::QuarticFactors<double> fast = csg::detail::torus_by_factors(ray);
             double sure[4];
             if (!fast.safe) continue;
             const int n = fast.four ? 4 : fast.two ? 2 : 0;
             ++by_factors;
-            REQUIRE(detail::torus_by_search(ray, -1.1 - minor, 1.1 + minor, sure) == n);
+            REQUIRE(csg::detail::torus_by_search(ray, -1.1 - minor, 1.1 + minor, sure) == n);
             for (int i = 0; i < n; ++i) {
                 REQUIRE(std::abs(fast.roots[i] - sure[i]) < 1e-6 * minor);  // where the ray grazes; else far closer
                 REQUIRE(csg_test::residual(torus, {{ray.px, ray.py, ray.pz}, {ray.dx, ray.dy, ray.dz}}, fast.roots[i],

@@ -89,7 +89,7 @@ private:
 
 std::vector<double> crossings(const csg::Isosurface& surface, const csg::Ray& ray, bool first)
 {
-    csg::IntersectionList list(0.0, csg::kInfinity, first);
+    csg::IntersectionList list(0.0, numbers::kInfinity, first);
     surface.intersect(ray, list);
     std::vector<double> out;
     list.each_span([&](double in, std::uint32_t, double end, std::uint32_t) {

@@ -75,8 +75,8 @@ TEST_CASE("what is beyond 32 bits becomes the least of them", "[numbers]")
         INFO(a);
         const __m128i both = _mm_cvttpd_epi32(_mm_setr_pd(a, 7.0));
         CHECK(first<__m128i, std::array<std::int32_t, 4>>(both) == std::array<std::int32_t, 4>{whole(a), 7, 0, 0});
-        CHECK(csg::truncated(a) == whole(a));
-        CHECK(csg::truncated_far(a) ==
+        CHECK(numbers::truncated(a) == whole(a));
+        CHECK(numbers::truncated_far(a) ==
               (std::abs(a) < 0x1p63 ? static_cast<long long>(a) : std::numeric_limits<long long>::min()));
         const float f = static_cast<float>(a);
         CHECK(_mm_cvtsi128_si32(_mm_cvttps_epi32(_mm_set1_ps(f))) == whole(f));

@@ -5,8 +5,8 @@
 
 #include <cstring>
 
-using csg::lanes::Double;
-using csg::lanes::kDoubles;
+using numbers::lanes::Double;
+using numbers::lanes::kDoubles;
 
 namespace {
 

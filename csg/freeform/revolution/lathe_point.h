@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/numbers.h"
 #include "numbers/lane_arithmetic.h"
 
 namespace csg {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/numbers.h"
 #include "numbers/polynomial_roots.h"
 #include "numbers/safeguarded_newton.h"
 

@@ -46,11 +46,11 @@ public:
         const Bool closes = at.a > Double(0.0), opens = at.a < Double(0.0);
         Intervals out;
         out.unclear = (!(closes | opens)) | (!(crosses | misses));
-        out.entry = xsimd::select(opens, before(), at.near);
-        out.exit = xsimd::select(opens, xsimd::select(crosses, at.near, beyond()), at.far);
+        out.entry = xsimd::select(opens, lanes::before(), at.near);
+        out.exit = xsimd::select(opens, xsimd::select(crosses, at.near, lanes::beyond()), at.far);
         out.met = (opens | crosses) & !out.unclear;
         second.entry = at.far;
-        second.exit = beyond();
+        second.exit = lanes::beyond();
         second.met = opens & crosses & !out.unclear;
         return out;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "csg/base/numbers.h"
 #include "numbers/quartic_factors.h"
 
 /// A torus along a ray, for one ray or several in vector lanes.

@@ -30,7 +30,7 @@ scene::Freeform shape_of(const scene::Lathe& lathe)
 {
     const Pieces pieces = profile(lathe.curve, lathe.points);
     // What POV-Ray takes for the curve's extremes: of a bezier spline those of its control points (spec 5b, 7.4).
-    glm::dvec2 lower(csg::kInfinity), upper(-csg::kInfinity);
+    glm::dvec2 lower(numbers::kInfinity), upper(-numbers::kInfinity);
     const auto include = [&](const glm::dvec2& p) {
         lower = glm::min(lower, p);
         upper = glm::max(upper, p);

@@ -19,7 +19,7 @@ double pivot_distance(const plan::CompiledScene& compiled)
     if (length == 0.0) return 1.0;
     const csg::Ray ray{camera.location, camera.direction / length};
     csg::Scratch scratch;
-    const csg::Hit hit = compiled.world().nearest(ray, kNearestPivot, csg::kInfinity, kAnyKind, scratch);
+    const csg::Hit hit = compiled.world().nearest(ray, kNearestPivot, numbers::kInfinity, kAnyKind, scratch);
     if (hit.found()) return hit.t;
     const csg::Aabb& box = compiled.geometry.bvh.bounds;
     const glm::dvec3 middle = box.finite() ? 0.5 * (box.lower + box.upper) : glm::dvec3(0.0);

@@ -74,7 +74,7 @@ private:
     /// changes: thin fog is not seen close by.
     [[gnu::noinline]] HitMask fog_tile()
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         ShadeScratch& scratch = context_.scratch.shade;
         alignas(64) TileLanes length = tile_.hits.t, passes;
         for_each_hit(first_hits(tile_.count()) & ~tile_.found(), [&](std::size_t k) { length[k] = kSkyDistance; });
@@ -84,11 +84,11 @@ private:
             const Double whole(0x1.ffffffp-1);  // from here on it is 1 in single precision
             const Double close(tint == glm::vec3(1) ? kUnseen * fog.distance : -1.0);
             HitMask seen = 0;
-            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
-                if (csg::lanes::mask(!(Double::load_aligned(length.data() + i) <= close)) == 0) continue;
+            for (int i = 0; i < tile_.count(); i += numbers::lanes::kDoubles) {
+                if (numbers::lanes::mask(!(Double::load_aligned(length.data() + i) <= close)) == 0) continue;
                 const Double a = fog_transmission(fog, Double::load_aligned(length.data() + i));
                 a.store_aligned(passes.data() + i);
-                seen |= HitMask{csg::lanes::mask(!(a >= whole))} << i;
+                seen |= HitMask{numbers::lanes::mask(!(a >= whole))} << i;
             }
             if (tint != glm::vec3(1)) seen = ~HitMask{0};
             seen &= first_hits(tile_.count());

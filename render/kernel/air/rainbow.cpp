@@ -18,7 +18,8 @@ bool meets(const texture::Rainbow& bow, std::uint32_t number, const glm::dvec3& 
     const double from_up = std::abs(numbers::acos(length > 0.0 ? y / length : y));
     if (!(from_up <= bow.arc) || along < 0.0) return false;
     place = (numbers::acos(std::min(along, 1.0)) - (bow.angle - bow.width / 2.0)) / bow.width;
-    if (bow.jitter > 0.0) place += (2.0 * random_of(random_seed(glm::dvec3(0), d), number, 0) - 1.0) * bow.jitter;
+    if (bow.jitter > 0.0)
+        place += (2.0 * numbers::random_of(numbers::random_seed(glm::dvec3(0), d), number, 0) - 1.0) * bow.jitter;
     if (!(place >= 0.0 && place <= 1.0 - kNearlyZero)) return false;
     edge = 0.0;
     if (from_up > bow.falloff && bow.arc > bow.falloff) {

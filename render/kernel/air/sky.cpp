@@ -135,9 +135,9 @@ void layered_skies(const texture::Sky& sky, bool see_through, const LayerColors&
 /// legacy_sky() of the first `count` rays.
 void legacy_skies(const texture::Sky& sky, std::size_t count, const LayerColors& colors, texture::ColorPoints& out)
 {
-    using csg::lanes::FloatPart;
+    using numbers::lanes::FloatPart;
     out.fill_clear(0.0f);
-    for (std::size_t k = 0; k < count; k += csg::lanes::kFloatPart) {
+    for (std::size_t k = 0; k < count; k += numbers::lanes::kFloatPart) {
         const auto load = [k](const auto& of) { return FloatPart::load_aligned(of.data() + k); };
         const auto [red, green, blue] = legacy_sky<FloatPart>(sky, [&](std::size_t i) {
             const texture::ColorPoints& c = colors[i];

@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace trace {
+
+using numbers::lanes::FloatPart;
+using numbers::lanes::kFloatPart;
 namespace {
 
 using Curve = scene::GammaCurve::Kind;
@@ -57,13 +60,13 @@ void ColorDistance::encode_row(std::span<float> values) const
         if (srgb_) {
             const auto low = v <= float_of(kSrgbKnee);
             const FloatPart c = xsimd::select(low, one, (v + float_of(kSrgbShift)) / float_of(kSrgbScale));
-            unknown = csg::lanes::mask(!within(c));
-            v = xsimd::select(low, v / float_of(kSrgbSlope), float_power(c, float_of(kSrgbExponent)));
+            unknown = numbers::lanes::mask(!within(c));
+            v = xsimd::select(low, v / float_of(kSrgbSlope), numbers::float_power(c, float_of(kSrgbExponent)));
         }
         const auto none = v <= zero;
         const FloatPart c = xsimd::select(none, one, v);
-        unknown |= csg::lanes::mask(!within(c));
-        if (unknown == 0) xsimd::select(none, zero, float_power(c, exponent)).store_unaligned(at);
+        unknown |= numbers::lanes::mask(!within(c));
+        if (unknown == 0) xsimd::select(none, zero, numbers::float_power(c, exponent)).store_unaligned(at);
         else std::transform(at, at + kFloatPart, at, [this](float value) { return encode(value); });
     }
 }
@@ -110,7 +113,7 @@ void ColorDistance::mark_unsure(const EncodedColors& of, std::size_t from, std::
             apart += high - low;
             size += xsimd::max(xsimd::abs(low), xsimd::abs(high));
         }
-        return csg::lanes::mask(apart + FloatPart(kRoundings) * size < threshold);
+        return numbers::lanes::mask(apart + FloatPart(kRoundings) * size < threshold);
     };
     constexpr std::uint32_t kAll = (1u << kFloatPart) - 1;
     std::size_t i = 0;

@@ -59,10 +59,11 @@ private:
         places.clear();
         for (const std::uint32_t pixel : pixels) {
             const SamplePosition centre = place(pixel);
-            const std::uint64_t own = stirred((seed_ << 48) ^ (static_cast<std::uint64_t>(centre.y) << 24) ^
-                                              static_cast<std::uint64_t>(centre.x));
+            const std::uint64_t own = numbers::stirred((seed_ << 48) ^ (static_cast<std::uint64_t>(centre.y) << 24) ^
+                                                       static_cast<std::uint64_t>(centre.x));
             const std::uint32_t n = sums_[pixel].count;
-            places.push_back(centre + SamplePosition(random_of(own, n, 0), random_of(own, n, 1)) - 0.5);
+            places.push_back(centre + SamplePosition(numbers::random_of(own, n, 0), numbers::random_of(own, n, 1)) -
+                             0.5);
         }
         EncodedColors& samples = scratch_.samples;
         samples.colors.resize(places.size());

@@ -55,10 +55,10 @@ T screen_row(const T& py, double height, scene::PovRay povray)
 }
 
 /// Pixels' places from the middle of the screen, in screens to the right and up.
-std::pair<csg::lanes::Double, csg::lanes::Double> on_screen(const double* px, const double* py, double width,
-                                                            double height, scene::PovRay povray)
+std::pair<numbers::lanes::Double, numbers::lanes::Double> on_screen(const double* px, const double* py, double width,
+                                                                    double height, scene::PovRay povray)
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     return {(Double::load_aligned(px) + Double(0.5)) / Double(width) - Double(0.5),
             screen_row(Double::load_aligned(py), height, povray)};
 }
@@ -140,32 +140,32 @@ bool CameraRays::project(double px, double py, int k, csg::Ray& out, glm::dvec2&
 
 bool CameraRays::perspective(const double* px, const double* py, csg::RayTile& rays) const
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
     std::uint32_t long_enough = ~0u;
-    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < rays.count; i += numbers::lanes::kDoubles) {
         const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         const Double x = Double(d.x) + u * Double(r.x) + v * Double(up.x);
         const Double y = Double(d.y) + u * Double(r.y) + v * Double(up.y);
         const Double z = Double(d.z) + u * Double(r.z) + v * Double(up.z);
         const Double length = xsimd::sqrt(x * x + y * y + z * z);
-        long_enough &= csg::lanes::mask(length > Double(0.0));
+        long_enough &= numbers::lanes::mask(length > Double(0.0));
         (x / length).store_aligned(rays.dx.data() + i);
         (y / length).store_aligned(rays.dy.data() + i);
         (z / length).store_aligned(rays.dz.data() + i);
     }
-    constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
+    constexpr std::uint32_t kAll = (1u << numbers::lanes::kDoubles) - 1u;
     return (long_enough & kAll) == kAll;
 }
 
 bool CameraRays::parallel(const double* px, const double* py, csg::RayTile& rays) const
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     const glm::dvec3 &o = camera_.location, &r = camera_.right, &up = camera_.up;
     const double length = glm::length(camera_.direction);
     if (!(length > 0)) return false;
     const glm::dvec3 d = camera_.direction / length;
-    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < rays.count; i += numbers::lanes::kDoubles) {
         const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         (Double(o.x) + (u * Double(r.x) + v * Double(up.x))).store_aligned(rays.ox.data() + i);
         (Double(o.y) + (u * Double(r.y) + v * Double(up.y))).store_aligned(rays.oy.data() + i);
@@ -180,9 +180,9 @@ bool CameraRays::parallel(const double* px, const double* py, csg::RayTile& rays
 void CameraRays::unscaled_perspective(const double* px, const double* py, int count, double* dx, double* dy,
                                       double* dz) const
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     const glm::dvec3 &d = camera_.direction, &r = camera_.right, &up = camera_.up;
-    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < count; i += numbers::lanes::kDoubles) {
         const auto [u, v] = on_screen(px + i, py + i, width_, height_, camera_.povray);
         (Double(d.x) + u * Double(r.x) + v * Double(up.x)).store_aligned(dx + i);
         (Double(d.y) + u * Double(r.y) + v * Double(up.y)).store_aligned(dy + i);

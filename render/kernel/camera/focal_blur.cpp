@@ -188,7 +188,7 @@ bool FocalBlur::ray(const CameraRays& rays, const glm::dvec2& position, int n, c
 
 bool FocalBlur::rays(const CameraRays& rays, const Waiting& samples, csg::RayTile& out) const
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     if (!rays.is_perspective()) return false;
     constexpr std::size_t kRays = csg::kTileRays;
     alignas(64) std::array<double, kRays> x{}, y{}, shifted_x{}, shifted_y{}, place_x, place_y;
@@ -211,12 +211,12 @@ bool FocalBlur::rays(const CameraRays& rays, const Waiting& samples, csg::RayTil
     rays.unscaled_perspective(x.data(), y.data(), samples.count, out.dx.data(), out.dy.data(), out.dz.data());
     jitter(shifted_x.data(), shifted_y.data(), samples.count, x.data(), y.data());
     const auto all = [](bool ok, Double length) {
-        constexpr std::uint32_t kAll = (1u << csg::lanes::kDoubles) - 1u;
-        return ok && csg::lanes::mask(length > Double(0.0)) == kAll;
+        constexpr std::uint32_t kAll = (1u << numbers::lanes::kDoubles) - 1u;
+        return ok && numbers::lanes::mask(length > Double(0.0)) == kAll;
     };
     const Double radius(radius_), swing(2.0 * amplitude_), ratio(focal_ratio_);
     bool found = true;
-    for (std::size_t i = 0; i < lanes; i += csg::lanes::kDoubles) {
+    for (std::size_t i = 0; i < lanes; i += numbers::lanes::kDoubles) {
         const auto at = [i](const auto& values) { return Double::load_aligned(values.data() + i); };
         const Double across = radius * (at(place_x) + swing * at(x)), along = radius * (at(place_y) + swing * at(y));
         const auto offset = [&](int axis) { return across * Double(right_[axis]) - along * Double(up_[axis]); };

@@ -23,7 +23,7 @@ inline csg::Scratch& projector_scratch()
 inline double projected_depth(const light::Projector& projector, const csg::Ray& ray)
 {
     const csg::Hit hit =
-        projector.world().nearest(ray, kProjectedFrom, csg::kInfinity, kProjectedRays, projector_scratch());
+        projector.world().nearest(ray, kProjectedFrom, numbers::kInfinity, kProjectedRays, projector_scratch());
     return hit.found() ? hit.t : -1.0;
 }
 
@@ -33,7 +33,7 @@ inline void projected_depths(const light::Projector& projector, csg::RayTile& ra
 {
     const auto count = static_cast<std::size_t>(rays.count);
     std::fill_n(rays.t_min.begin(), count, kProjectedFrom);
-    std::fill_n(rays.t_max.begin(), count, csg::kInfinity);
+    std::fill_n(rays.t_max.begin(), count, numbers::kInfinity);
     csg::HitTile met;
     projector.world().nearest(rays, kProjectedRays, projector_scratch(), met);
     for (std::size_t i = 0; i < count; ++i) f(i, met.surface[i] == csg::kNoSurface ? -1.0 : met.t[i]);

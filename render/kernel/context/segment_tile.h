@@ -20,7 +20,7 @@ public:
           queued_(queued), own_(camera)
     {
         const HitMask all = first_hits(rays.count);
-        found_ = all & ~csg::lanes::equal(hits.surface, csg::kNoSurface);
+        found_ = all & ~numbers::lanes::equal(hits.surface, csg::kNoSurface);
         count_far();
         find_places();
     }
@@ -139,7 +139,7 @@ private:
         batched_ = found_;
         const auto& single = context_.traits.not_batched;
         if (single.size() <= kFewSurfaces)
-            for (const csg::SurfaceId surface : single) batched_ &= ~csg::lanes::equal(hits.surface, surface);
+            for (const csg::SurfaceId surface : single) batched_ &= ~numbers::lanes::equal(hits.surface, surface);
         else
             for_each_hit(found_, [&](std::size_t k) {
                 if (!context_.traits.surfaces[hits.surface[k]].batched) batched_ &= ~(HitMask{1} << k);
@@ -160,11 +160,12 @@ private:
     /// Counts hits beyond the distance at which POV-Ray finds any, so that the user can be told.
     void count_far()
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         HitMask far = 0;
-        for (int i = 0; i < rays.count; i += csg::lanes::kDoubles)
-            far |= HitMask{csg::lanes::mask(Double::load_aligned(hits.t.data() + i) > Double(csg::DepthRange::kFar))}
-                   << i;
+        for (int i = 0; i < rays.count; i += numbers::lanes::kDoubles)
+            far |=
+                HitMask{numbers::lanes::mask(Double::load_aligned(hits.t.data() + i) > Double(csg::DepthRange::kFar))}
+                << i;
         far &= found_;
         for_each_hit(far, [&](std::size_t k) {
             context_.scratch.counts.far += context_.world.too_far(hits.at(static_cast<int>(k))) ? 1 : 0;

@@ -22,8 +22,8 @@ namespace trace {
     const double aside = numbers::tan(drawn.ink);
     for (const glm::dvec3& way : {u, -u, v, -v}) {
         const csg::Ray ray{hit.state.ray.origin, glm::normalize(w + aside * way)};
-        const Hit near = context.world.nearest(ray, context.scene.tolerance.hit, csg::kInfinity, bit(hit.state.kind),
-                                               context.scratch.geometry);
+        const Hit near = context.world.nearest(ray, context.scene.tolerance.hit, numbers::kInfinity,
+                                               bit(hit.state.kind), context.scratch.geometry);
         if (!near.found()) return true;
         if (context.scene.surfaces[near.surface].object != hit.surface.object) {
             if (near.t > hit.met.t) return true;

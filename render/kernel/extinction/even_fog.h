@@ -12,10 +12,10 @@ inline constexpr double kSkyDistance = 2e10;  ///< length of a ray that meets no
 template <class T>
 inline T fog_transmission(const texture::Fog& fog, const T& length)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     const T far(kSkyDistance), least(-700.0), clear(static_cast<double>(fog.color.transmit));
     const T y = -choose(length < far, length, far) / T(fog.distance);
-    const T passes = csg::lanes::exponential(choose(y > least, choose(y < -least, y, -least), least));
+    const T passes = numbers::lanes::exponential(choose(y > least, choose(y < -least, y, -least), least));
     return choose(passes > clear, passes, clear);
 }
 

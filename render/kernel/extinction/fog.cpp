@@ -14,8 +14,8 @@
 namespace trace {
 namespace {
 
-using csg::lanes::choose;
-using csg::lanes::Double;
+using numbers::lanes::choose;
+using numbers::lanes::Double;
 
 /// Mean density of ground fog along a segment between two heights (spec 2, 16.2). V is double or lanes::Double.
 template <class V>
@@ -24,7 +24,7 @@ V mean_density(const V& a, const V& b)
     const V none(0.0), full(1.0), apart = a - b;
     const auto below_a = a <= none, below_b = b <= none;
     const auto bent = [](const auto& below, const V& height) { return choose(below, height, numbers::atan(height)); };
-    const auto level = (a > none) & (b > none) & (csg::lanes::size_of(apart) <= V(kNearlyZero));
+    const auto level = (a > none) & (b > none) & (numbers::lanes::size_of(apart) <= V(kNearlyZero));
     const V mean = choose(level, full / (full + a * a), (bent(below_a, a) - bent(below_b, b)) / apart);
     return choose(below_a & below_b, full, mean);
 }
@@ -96,7 +96,7 @@ void add_fog(const texture::Fog& fog, double transmission, Air& air)
 template <class F>
 void each_vector(const csg::RayTile& rays, F&& f)
 {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); i += csg::lanes::kDoubles) f(i);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); i += numbers::lanes::kDoubles) f(i);
 }
 
 /// The sum of a fog's turbulence for the rays that are near enough to show it.

@@ -75,7 +75,7 @@ void add_samples(DepthBatch& batch, const plan::Media& control, std::uint64_t se
 {
     const int least = control.samples_least;
     const double step = at.to - at.from;
-    const auto random = [&](int n) { return random_of(seed, interval, static_cast<std::uint32_t>(n)); };
+    const auto random = [&](int n) { return numbers::random_of(seed, interval, static_cast<std::uint32_t>(n)); };
     const auto add = [&](double place, double weight) {
         batch.add(at.ray.at(at.from + place * step), weight, at.depth);
     };
@@ -111,7 +111,7 @@ void add_stretch(DepthBatch& batch, const plan::Media& control, const ShadowStre
 {
     const int intervals = control.has_density ? control.intervals : 1;
     const double step = (at.to - at.from) / intervals;
-    const std::uint64_t seed = control.draws() ? random_seed(at.ray.at(at.from), at.ray.direction) : 0;
+    const std::uint64_t seed = control.draws() ? numbers::random_seed(at.ray.at(at.from), at.ray.direction) : 0;
     for (int i = 0; i < intervals; ++i) {
         const double from = at.from + i * step;
         add_samples(batch, control, seed, static_cast<std::uint32_t>(i),

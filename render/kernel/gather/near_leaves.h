@@ -23,7 +23,7 @@ struct SplitPoint {
 inline std::uint32_t boxes_near(const PhotonBoxes::Node& node, const SplitPoint& point, float limit,
                                 std::array<float, PhotonBoxes::kWide>& away)
 {
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
     constexpr std::size_t kLanes = PhotonBoxes::kWide;
     // Rounding may put a box farther off than it is: by less than this share.
     constexpr float kNearer = 1.0f - 1e-5f;
@@ -41,7 +41,7 @@ inline std::uint32_t boxes_near(const PhotonBoxes::Node& node, const SplitPoint&
                     dz = off(node.low_z, node.high_z, z, rest_z);
         const Float d2 = Float(kNearer) * (dx * dx + dy * dy + dz * dz);
         d2.store_unaligned(away.data() + k);
-        near |= csg::lanes::mask(d2 < most) << k;
+        near |= numbers::lanes::mask(d2 < most) << k;
     }
     return near;
 }

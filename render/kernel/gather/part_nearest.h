@@ -31,7 +31,7 @@ public:
         std::size_t n = 0;
         for (std::size_t k = 0; k < count_; k += kWide) {
             const std::uint32_t here = below(k, between.high) & ~below(k, between.low);
-            n += pack(here, distance2_ + k, parted_ + n);
+            n += numbers::pack(here, distance2_ + k, parted_ + n);
         }
         const auto [farthest, before] = ranked(n, keep - 1 - between.nearer);
         std::size_t alike = keep - between.nearer - before;  // how many as far as the farthest stay
@@ -40,14 +40,14 @@ public:
             std::uint32_t stay = below(k, farthest);
             std::uint32_t as_far = mask(k, [far = Float(farthest)](const Float& d2) { return d2 == far; });
             for (; as_far != 0 && alike > 0; as_far &= as_far - 1, --alike) stay |= as_far & (~as_far + 1u);
-            kept += pack(stay, distance2_ + k, number_ + k, distance2_ + kept, number_ + kept);
+            kept += numbers::pack(stay, distance2_ + k, number_ + k, distance2_ + kept, number_ + kept);
         }
         count_ = kept;
         return farthest;
     }
 
 private:
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
     static constexpr std::size_t kWide = 8;
 
     /// The farthest that stays is not below `low`, below which there are `nearer`, but below `high`.
@@ -95,7 +95,7 @@ private:
             even += ones(k);
             odd += ones(k + Float::size);
         }
-        return static_cast<std::size_t>(csg::lanes::sum(even + odd));
+        return static_cast<std::size_t>(numbers::lanes::sum(even + odd));
     }
 
     struct Ranked {
@@ -119,8 +119,8 @@ private:
             std::size_t nearer = 0, as_far = 0;
             for (std::size_t k = 0; k < n; k += Float::size) {
                 const Float d2 = Float::load_unaligned(parted_ + k);
-                nearer += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 < Float(parted_[i]))));
-                as_far += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 == Float(parted_[i]))));
+                nearer += static_cast<std::size_t>(std::popcount(numbers::lanes::mask(d2 < Float(parted_[i]))));
+                as_far += static_cast<std::size_t>(std::popcount(numbers::lanes::mask(d2 == Float(parted_[i]))));
             }
             if (nearer <= place && place < nearer + as_far) out = {parted_[i], nearer};
         }
@@ -132,7 +132,7 @@ private:
     {
         std::uint32_t out = 0;
         for (std::size_t i = 0; i < kWide; i += Float::size)
-            out |= csg::lanes::mask(test(Float::load_unaligned(distance2_ + first + i))) << i;
+            out |= numbers::lanes::mask(test(Float::load_unaligned(distance2_ + first + i))) << i;
         return out;
     }
     std::uint32_t below(std::size_t first, float limit) const

@@ -13,7 +13,7 @@ namespace trace {
 template <bool kFlat>
 class PhotonDistance {
 public:
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
 
     PhotonDistance(const PhotonPlaces& places, const glm::dvec3& from, const glm::dvec3& surface)
         : point(from), split(from), places_(places), normal_(surface)

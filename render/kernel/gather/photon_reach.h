@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
     static constexpr std::size_t kLanes = PhotonBoxes::kWide;
     struct Ends {
         glm::vec3 low, high;
@@ -74,9 +74,9 @@ private:
                 return (Float::load_aligned(low.data() + k) <= Float(to)) &
                        (Float::load_aligned(high.data() + k) >= Float(from));
             };
-            out |= csg::lanes::mask(overlap(at.low_x, at.high_x, ends.low.x, ends.high.x) &
-                                    overlap(at.low_y, at.high_y, ends.low.y, ends.high.y) &
-                                    overlap(at.low_z, at.high_z, ends.low.z, ends.high.z))
+            out |= numbers::lanes::mask(overlap(at.low_x, at.high_x, ends.low.x, ends.high.x) &
+                                        overlap(at.low_y, at.high_y, ends.low.y, ends.high.y) &
+                                        overlap(at.low_z, at.high_z, ends.low.z, ends.high.z))
                    << k;
         }
         return out;

@@ -84,7 +84,7 @@ public:
 
 private:
     using Near = NearPhotons::Near;
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
     static constexpr double kRounding = 1.0 + 1e-6;  ///< of what is kept in single precision
     static constexpr std::size_t kLanes = PhotonBoxes::kWide;
     static constexpr std::size_t kSpare = 256;  ///< so many more than are asked for are kept before they are parted
@@ -213,11 +213,11 @@ private:
             for (std::size_t k = 0; k < kLanes; k += Float::size) {
                 const Float here = from.squared(load(leaf.x, k), load(leaf.y, k), load(leaf.z, k));
                 here.store_aligned(d2.data() + k);
-                near |= csg::lanes::mask(here < limit) << k;
+                near |= numbers::lanes::mask(here < limit) << k;
             }
             if ((near & leaf.gated) != 0 && !(leaf.gate_off < gates_within)) [[unlikely]]
                 near = without_unreached(leaf, near);
-            count += pack(near, d2.data(), leaf.photon.data(), distances2 + count, numbers + count);
+            count += numbers::pack(near, d2.data(), leaf.photon.data(), distances2 + count, numbers + count);
             if (count < full) [[likely]]
                 continue;
             count_ = count;
@@ -256,8 +256,8 @@ private:
             const Float d2 = from_.squared(Float::load_unaligned(&places_.x[i]), Float::load_unaligned(&places_.y[i]),
                                            Float::load_unaligned(&places_.z[i]));
             const std::uint32_t part = end - i < Float::size ? (1u << (end - i)) - 1u : ~0u;
-            count += static_cast<std::size_t>(std::popcount(csg::lanes::mask(d2 < most) & part));
-            beyond |= csg::lanes::mask((d2 > least) & (d2 < surely)) & part;
+            count += static_cast<std::size_t>(std::popcount(numbers::lanes::mask(d2 < most) & part));
+            beyond |= numbers::lanes::mask((d2 > least) & (d2 < surely)) & part;
             if (until_others && beyond != 0) break;
         }
         others = beyond != 0;

@@ -29,7 +29,7 @@ public:
         scratch_.photons.near.forget();  // pictures do not depend on the order of tiles
         scratch_.photons.wide.forget();
         HitMask collecting = 0;
-        glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
+        glm::dvec3 low(numbers::kInfinity), high(-numbers::kInfinity);
         for_each_hit(batch_.lit(), [&](std::size_t k) {
             if (!collects(scene, tile_.hits.surface[k])) return;
             collecting |= HitMask{1} << k;
@@ -108,7 +108,7 @@ private:
         return sum;
     }
 
-    static constexpr std::size_t kLanes = csg::lanes::kDoubles;
+    static constexpr std::size_t kLanes = numbers::lanes::kDoubles;
     using Lanes = std::array<double, kLanes>;
 
     /// A vector of photons: unit vectors to where they came from, and what they bring.
@@ -146,7 +146,7 @@ private:
     /// raised_facing() of each.
     static void find_raised(const texture::Finish& finish, const Lanes& facing, Lanes& raised)
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         for (std::size_t lane = 0; lane < kLanes; ++lane) raised[lane] = std::abs(facing[lane]);
         if (finish.brilliance == 1.0f) return;
         numbers::pow(Double::load_unaligned(raised.data()), Double(static_cast<double>(finish.brilliance)))
@@ -155,7 +155,7 @@ private:
 
     static void find_strengths(const LitLayer& met, const Arriving& photons, Lanes& strengths)
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         const auto all = [](const glm::dvec3& v) { return LaneVectors{Double(v.x), Double(v.y), Double(v.z)}; };
         const auto amount = [](float f) { return Double(static_cast<double>(f)); };
         const texture::Finish& f = met.finish;

@@ -80,7 +80,7 @@ AreaLight::Rest AreaLight::rest_to_corner(std::size_t k) const
 bool AreaLight::scattered(HitMask hits) const
 {
     if ((hits & (hits - 1)) == 0) return true;
-    glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
+    glm::dvec3 low(numbers::kInfinity), high(-numbers::kInfinity);
     for_each_hit(hits, [&](std::size_t k) {
         low = glm::min(low, scratch_.hits.point(k));
         high = glm::max(high, scratch_.hits.point(k));
@@ -92,7 +92,7 @@ void AreaLight::find_shaft(HitMask hits)
 {
     if (light_.kind == light::Light::Kind::Cylinder || light_.parallel) return;  // rays end beside the light
     csg::PointSet from, to;
-    double least = csg::kInfinity;
+    double least = numbers::kInfinity;
     for_each_hit(hits, [&](std::size_t k) {
         from.add(scratch_.hits.point(k));
         least = std::min(least, from_[k]);
@@ -214,15 +214,15 @@ void AreaLight::trace_samples()
                    : context_.world.shadow(rays, geometry, met.ending.data());
     }
     HitMask seen = 0, near = 0;  // by sample: the light is there; it is too near for a shadow
-    for (std::size_t n = 0; n < lanes_; n += csg::lanes::kDoubles) {
-        using csg::lanes::Double;
+    for (std::size_t n = 0; n < lanes_; n += numbers::lanes::kDoubles) {
+        using numbers::lanes::Double;
         const auto at = [n](const auto& values) { return Double::load_aligned(values.data() + n); };
-        seen |= HitMask{csg::lanes::mask(at(distance_) > Double(-csg::kInfinity))} << n;
-        near |= HitMask{csg::lanes::mask(at(rays.t_max) <= at(rays.t_min))} << n;
+        seen |= HitMask{numbers::lanes::mask(at(distance_) > Double(-numbers::kInfinity))} << n;
+        near |= HitMask{numbers::lanes::mask(at(rays.t_max) <= at(rays.t_min))} << n;
     }
     const auto ends = [&](Shadow as) {
-        return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(met.ending.data()),
-                                 static_cast<std::uint8_t>(as));
+        return numbers::lanes::equal(reinterpret_cast<const std::uint8_t*>(met.ending.data()),
+                                     static_cast<std::uint8_t>(as));
     };
     const HitMask lit = seen & (near | ~ends(Shadow::Blocked)), filtered = seen & ~near & ends(Shadow::Filtered);
     tell<&Recorder::area_rays>(scratch_, hit_.data(), samples_, lit, filtered);

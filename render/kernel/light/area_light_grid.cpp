@@ -26,7 +26,7 @@ HitMask differ(HitMask hits, const TileColors& a, const TileColors& b)
             far[k] = d > kRefined ? 1u : 0u;
         }
     }
-    return csg::lanes::equal(far, 1u);
+    return numbers::lanes::equal(far, 1u);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ void AreaLight::jitter(TileLanes& row, TileLanes& column) const
     const csg::RayTile& rays = scratch_.shadow.rays;
     alignas(64) TileLanes by;
     const auto move = [&](TileLanes& of, std::uint32_t number) {
-        random_at(rays.ox.data(), rays.oy.data(), rays.oz.data(), purpose_.data(), number, lanes_, by.data());
+        numbers::random_at(rays.ox.data(), rays.oy.data(), rays.oz.data(), purpose_.data(), number, lanes_, by.data());
         for (std::size_t n = 0; n < lanes_; ++n) of[n] += by[n] - 0.5;
     };
     move(row, 0);
@@ -91,8 +91,8 @@ void AreaLight::make_rays()
             distance_[n] = lit.distance;
         }
     } else {
-        for (std::size_t n = 0; n < lanes_; n += csg::lanes::kDoubles) {
-            using csg::lanes::Double;
+        for (std::size_t n = 0; n < lanes_; n += numbers::lanes::kDoubles) {
+            using numbers::lanes::Double;
             const auto to = [n](double location, const TileLanes& offset, const auto& origin) {
                 return (Double(location) + Double::load_aligned(offset.data() + n)) -
                        Double::load_aligned(origin.data() + n);
@@ -116,7 +116,7 @@ void AreaLight::project()
     csg::RayTile& rays = scratch_.shadow.rays;
     const auto from = rays.t_min;
     projected_depths(*light_.projector, rays, [&](std::size_t n, double depth) {
-        distance_[n] = depth < 0.0 || depth >= distance_[n] ? -csg::kInfinity : depth;
+        distance_[n] = depth < 0.0 || depth >= distance_[n] ? -numbers::kInfinity : depth;
     });
     rays.t_min = from;
 }

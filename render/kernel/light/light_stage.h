@@ -177,14 +177,14 @@ private:
     /// Hits of which some row faces the light at hand.
     HitMask facing() const
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         HitMask away = 0;
-        for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
+        for (int i = 0; i < tile_.count(); i += numbers::lanes::kDoubles) {
             const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
             const Double cosine = get(scratch_.hits.nx) * get(scratch_.lamp.light.x) +
                                   get(scratch_.hits.ny) * get(scratch_.lamp.light.y) +
                                   get(scratch_.hits.nz) * get(scratch_.lamp.light.z);
-            away |= HitMask{csg::lanes::mask(cosine < Double(kNearlyZero))} << i;
+            away |= HitMask{numbers::lanes::mask(cosine < Double(kNearlyZero))} << i;
         }
         HitMask toward = ~away;
         for_each_hit(batch_.all_bent(), [&](std::size_t k) {

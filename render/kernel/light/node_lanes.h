@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    using Double = csg::lanes::Double;
+    using Double = numbers::lanes::Double;
     struct alignas(64) Vectors {
         alignas(64) TileLanes x{}, y{}, z{};
         void set(std::size_t k, const glm::dvec3& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }

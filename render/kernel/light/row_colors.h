@@ -58,15 +58,15 @@ inline void color_rows(RowPage& at, const ColoredHits& of, const texture::ColorP
     component(c.red, &TileColors::red);
     component(c.green, &TileColors::green);
     component(c.blue, &TileColors::blue);
-    using csg::lanes::Double;
-    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    using numbers::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << numbers::lanes::kDoubles) - 1;
     each_part_of(of.hits, [&](std::size_t first, FloatMask) {
         alignas(64) std::array<double, kFloatPart> diffuse;
         for (std::size_t k = 0; k < kFloatPart; ++k)
             diffuse[k] = static_cast<double>(at.finish_diffuse[first + k]) * static_cast<double>(alpha[first + k]);
-        for (std::size_t k = 0; k < kFloatPart; k += csg::lanes::kDoubles) {
+        for (std::size_t k = 0; k < kFloatPart; k += numbers::lanes::kDoubles) {
             double* to = at.diffuse.data() + first + k;
-            xsimd::select(csg::lanes::lanes_of(static_cast<std::uint32_t>(of.hits >> (first + k) & kVector)),
+            xsimd::select(numbers::lanes::lanes_of(static_cast<std::uint32_t>(of.hits >> (first + k) & kVector)),
                           Double::load_aligned(diffuse.data() + k), Double::load_aligned(to))
                 .store_aligned(to);
         }

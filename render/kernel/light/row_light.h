@@ -18,8 +18,8 @@ namespace trace {
 /// Raises the intensities of hits to their finishes' brilliance.
 [[gnu::noinline]] inline void raise_intensities(const RowPage& at, HitMask hits, TileLanes& intensity)
 {
-    using csg::lanes::Double;
-    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    using numbers::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << numbers::lanes::kDoubles) - 1;
     constexpr float kSteepest = 20.0f;  // no cosine above kNearlyZero leaves the range of powers in lanes
     alignas(64) TileLanes exponent;
     exponent.fill(1.0);
@@ -28,12 +28,12 @@ namespace trace {
         if (brilliance > 0.0f && brilliance < kSteepest) exponent[k] = static_cast<double>(brilliance);
         else intensity[k] = numbers::pow(intensity[k], static_cast<double>(brilliance));
     });
-    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+    for (std::size_t i = 0; i < csg::kTileRays; i += numbers::lanes::kDoubles) {
         if ((hits >> i & kVector) == 0) continue;
         const Double v = Double::load_aligned(intensity.data() + i), e = Double::load_aligned(exponent.data() + i);
         const auto raised = (e != Double(1.0)) & (v > Double(0.0));
         const Double base = xsimd::select(raised, v, Double(1.0));
-        xsimd::select(raised, csg::lanes::power(base, e), v).store_aligned(intensity.data() + i);
+        xsimd::select(raised, numbers::lanes::power(base, e), v).store_aligned(intensity.data() + i);
     }
 }
 
@@ -42,14 +42,14 @@ namespace trace {
 inline void find_intensities(const RowPage& at, const double* const (&n)[3], HitMask turning, const TileLight& light,
                              HitMask& on, TileLanes& intensity)
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     HitMask away = 0;
     each_part_of(on, [&](std::size_t first, FloatMask) {
-        for (std::size_t i = first; i < first + kFloatPart; i += csg::lanes::kDoubles) {
+        for (std::size_t i = first; i < first + kFloatPart; i += numbers::lanes::kDoubles) {
             const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
             const Double facing = get(n[0]) * get(light.x.data()) + get(n[1]) * get(light.y.data()) +
                                   get(n[2]) * get(light.z.data());
-            away |= HitMask{csg::lanes::mask(facing < Double(kNearlyZero))} << i;
+            away |= HitMask{numbers::lanes::mask(facing < Double(kNearlyZero))} << i;
             xsimd::abs(facing).store_aligned(intensity.data() + i);
         }
     });
@@ -61,8 +61,8 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
 [[gnu::noinline]] inline void find_tints(const RowPage& at, const double* const (&n)[3], const csg::RayTile& rays,
                                          HitMask tinted, const TileLight& light, TileFloats& share)
 {
-    using csg::lanes::Double;
-    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+    using numbers::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << numbers::lanes::kDoubles) - 1;
     alignas(64) TileLanes metallic{};
     HitMask by_half = 0;
     for_each_hit(tinted, [&](std::size_t k) {
@@ -70,12 +70,12 @@ inline void find_intensities(const RowPage& at, const double* const (&n)[3], Hit
         if (at.finish[k]->tint_by_half) by_half |= HitMask{1} << k;
     });
     share.fill(0.0f);
-    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+    for (std::size_t i = 0; i < csg::kTileRays; i += numbers::lanes::kDoubles) {
         const HitMask here = tinted & kVector << i;
         if (here == 0) continue;
         const auto get = [i](const double* lanes) { return Double::load_aligned(lanes + i); };
         const Double lx = get(light.x.data()), ly = get(light.y.data()), lz = get(light.z.data());
-        alignas(64) std::array<double, csg::lanes::kDoubles> found;
+        alignas(64) std::array<double, numbers::lanes::kDoubles> found;
         const auto take = [&](HitMask of, const Double& cosine) {
             texture::metallic_share(get(metallic.data()), cosine).store_aligned(found.data());
             for_each_hit(of, [&](std::size_t k) { share[k] = static_cast<float>(found[k - i]); });
@@ -107,7 +107,8 @@ inline void light_page(RowPage& at, HitMask reached, HitMask turning, const ligh
         for (std::size_t k = i; k < i + kFloatPart; ++k) diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k]);
     });
     for_each_hit(on & at.grainy, [&](std::size_t k) {
-        const double less = static_cast<double>(at.finish[k]->crand) * random_at(scratch.hits.point(k), grains[k]++);
+        const double less = static_cast<double>(at.finish[k]->crand) *
+                            numbers::random_at(scratch.hits.point(k), grains[k]++);
         diffuse[k] = static_cast<float>(intensity[k] * at.diffuse[k] - less);
     });
     tell<&Recorder::diffuse>(scratch, at, on, diffuse);

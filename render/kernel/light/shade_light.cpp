@@ -19,7 +19,7 @@ namespace {
 /// came before, or under Options::grain_stream POV-Ray's own stream (spec 3, 17.2).
 double grain(Context& context, const ScalarRow& row)
 {
-    if (!context.scene.options.grain_stream) return random_at(row.hit.point, row.grains++);
+    if (!context.scene.options.grain_stream) return numbers::random_at(row.hit.point, row.grains++);
     std::uint32_t& state = context.scratch.grain_state;
     state = state * 1812433253u + 12345u;
     return static_cast<double>(state) / 4294967295.0;

@@ -123,39 +123,39 @@ private:
     /// The least or the most of a coordinate of the light and all points of whole lanes.
     double least_of(const TileLanes& of, double light) const
     {
-        using csg::lanes::Double;
-        return csg::lanes::lowest(folded(of, light, [](Double a, Double b) { return xsimd::min(a, b); }));
+        using numbers::lanes::Double;
+        return numbers::lanes::lowest(folded(of, light, [](Double a, Double b) { return xsimd::min(a, b); }));
     }
     double most_of(const TileLanes& of, double light) const
     {
-        using csg::lanes::Double;
-        return -csg::lanes::lowest(-folded(of, light, [](Double a, Double b) { return xsimd::max(a, b); }));
+        using numbers::lanes::Double;
+        return -numbers::lanes::lowest(-folded(of, light, [](Double a, Double b) { return xsimd::max(a, b); }));
     }
     template <class Fold>
-    csg::lanes::Double folded(const TileLanes& of, double light, Fold&& fold) const
+    numbers::lanes::Double folded(const TileLanes& of, double light, Fold&& fold) const
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         Double out(light);
         // In this order what is no number is not taken.
         const auto take = [&](int i) { out = fold(Double::load_aligned(of.data() + i), out); };
         if (tile_.count() == csg::kTileRays)  // a loop of known length, which takes half of the instructions
-            for (int i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) take(i);
+            for (int i = 0; i < csg::kTileRays; i += numbers::lanes::kDoubles) take(i);
         else
-            for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) take(i);
+            for (int i = 0; i < tile_.count(); i += numbers::lanes::kDoubles) take(i);
         return out;
     }
     /// The least and the most of a coordinate of the light and the points that ask.
     Interval span(const TileLanes& of, double light, HitMask asking) const
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         Double least(light), most(light);
-        for (int i = 0; i < tile_.count(); i += csg::lanes::kDoubles) {
-            const auto lanes = csg::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
+        for (int i = 0; i < tile_.count(); i += numbers::lanes::kDoubles) {
+            const auto lanes = numbers::lanes::lanes_of(static_cast<std::uint32_t>(asking >> i));
             const Double at = Double::load_aligned(of.data() + i);
             least = xsimd::select(lanes, xsimd::min(least, at), least);
             most = xsimd::select(lanes, xsimd::max(most, at), most);
         }
-        return {csg::lanes::lowest(least), -csg::lanes::lowest(-most)};
+        return {numbers::lanes::lowest(least), -numbers::lanes::lowest(-most)};
     }
 
     /// The points that see a light through its projector, where their shadow rays end then; the others are dark.
@@ -276,7 +276,8 @@ private:
 
     static HitMask equal(const std::array<Shadow, csg::kTileRays>& endings, Shadow to)
     {
-        return csg::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()), static_cast<std::uint8_t>(to));
+        return numbers::lanes::equal(reinterpret_cast<const std::uint8_t*>(endings.data()),
+                                     static_cast<std::uint8_t>(to));
     }
 
     /// The light at hand past what a shadow ray crosses.

@@ -14,15 +14,15 @@ namespace trace {
 inline HitMask find_shadow_ends(double least, const TileHits& at, const csg::HitTile& hits, const TileLight& light,
                                 ShadowEnds& ends, int count)
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     HitMask near = 0;
-    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < count; i += numbers::lanes::kDoubles) {
         const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
         const Double largest = xsimd::max(xsimd::max(xsimd::abs(get(at.x)), xsimd::abs(get(at.y))),
                                           xsimd::max(xsimd::abs(get(at.z)), get(hits.t)));
         const Double from = xsimd::max(Double(least), Double(csg::Tolerance::kCoarse) * largest),
                      to = get(light.distance) - from;
-        near |= HitMask{csg::lanes::mask(to <= from)} << i;
+        near |= HitMask{numbers::lanes::mask(to <= from)} << i;
         from.store_aligned(ends.from.data() + i);
         to.store_aligned(ends.to.data() + i);
     }
@@ -32,10 +32,10 @@ inline HitMask find_shadow_ends(double least, const TileHits& at, const csg::Hit
 /// Hits, of the first so many, from which the light is not nearer than this.
 inline HitMask beyond(const TileLight& light, double distance, int count)
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     HitMask near = 0;
-    for (int i = 0; i < count; i += csg::lanes::kDoubles)
-        near |= HitMask{csg::lanes::mask(Double::load_aligned(light.distance.data() + i) < Double(distance))} << i;
+    for (int i = 0; i < count; i += numbers::lanes::kDoubles)
+        near |= HitMask{numbers::lanes::mask(Double::load_aligned(light.distance.data() + i) < Double(distance))} << i;
     return ~near;
 }
 

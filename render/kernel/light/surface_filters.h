@@ -58,7 +58,7 @@ public:
         turn_to_viewer(kept_.rays, kept_.places);
         for (HitMask left = all; left != 0;) {
             const csg::SurfaceId surface = kept_.hits.surface[first_hit(left)];
-            const HitMask group = left & csg::lanes::equal(kept_.hits.surface, surface);
+            const HitMask group = left & numbers::lanes::equal(kept_.hits.surface, surface);
             filter(surface, group);
             left &= ~group;
         }

@@ -12,15 +12,15 @@ namespace trace {
 inline void attenuate(const light::Light& light, HitMask which, const TileHits& hits, const TileLight& seen,
                       TileLanes& share)
 {
-    using csg::lanes::Double;
-    constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
-    for (std::size_t i = 0; i < csg::kTileRays; i += csg::lanes::kDoubles) {
+    using numbers::lanes::Double;
+    constexpr HitMask kVector = (HitMask{1} << numbers::lanes::kDoubles) - 1;
+    for (std::size_t i = 0; i < csg::kTileRays; i += numbers::lanes::kDoubles) {
         const auto in = static_cast<std::uint32_t>(which >> i & kVector);
         if (in == 0) continue;
         const auto load = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
         const LanePoints point{load(hits.x), load(hits.y), load(hits.z)},
             direction{load(seen.x), load(seen.y), load(seen.z)};
-        light::attenuation(light, point, direction, load(seen.distance), csg::lanes::lanes_of(in))
+        light::attenuation(light, point, direction, load(seen.distance), numbers::lanes::lanes_of(in))
             .store_aligned(share.data() + i);
     }
 }

@@ -29,7 +29,7 @@ std::size_t MediaChunk::add(const MediaJob& job, const csg::Ray& ray, double at,
 
 double MediaChunk::random(std::size_t i, std::uint32_t sample) const
 {
-    return random_of(jobs[i].seed, jobs[i].interval, sample);
+    return numbers::random_of(jobs[i].seed, jobs[i].interval, sample);
 }
 
 }  // namespace trace

@@ -16,7 +16,7 @@ void media_photons(const Context& context, const texture::Points& points, HitMas
     NearPhotons& near = scratch.photons.near;
     near.forget();  // pictures do not depend on the order of batches
     scratch.photons.wide.forget();
-    glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
+    glm::dvec3 low(numbers::kInfinity), high(-numbers::kInfinity);
     for_each_hit(which, [&](std::size_t k) {
         low = glm::min(low, points.at(k));
         high = glm::max(high, points.at(k));

@@ -71,7 +71,7 @@ void MediaStage::add_segment(std::size_t k, const MediaMix& mix)
     segment.length = has(tile_.found(), k) ? tile_.hits.t[k] : kSkyDistance;
     segment.lane = static_cast<std::uint8_t>(k);
     segment.mix = &mix;
-    if (mix.control->draws()) segment.seed = random_seed(segment.ray.origin, segment.ray.direction);
+    if (mix.control->draws()) segment.seed = numbers::random_seed(segment.ray.origin, segment.ray.direction);
     segment.piece = static_cast<std::uint32_t>(scratch_.pieces.size());
     scratch_.ranges.clear();
     find_lit(segment);
@@ -94,7 +94,7 @@ void MediaStage::find_lit(const MediaSegment& segment)
         const bool shines = light.in_media && (end != nullptr ? shines_on(light, *end) : light.group == 0);
         if (!shines || !lit_range(light, segment.ray, segment.length, range)) {
             scratch_.ranges.pop_back();
-            lit.from[at] = csg::kInfinity;
+            lit.from[at] = numbers::kInfinity;
             continue;
         }
         lit.reached |= HitMask{1} << at;

@@ -23,7 +23,7 @@ public:
 
     /// A ray may start inside of something that has an interior.
     bool may_be_inside() const { return !around_.empty() || starts_.asked(); }
-    double farthest() const { return rays_.max_distance() > 0.0 ? rays_.max_distance() : csg::kInfinity; }
+    double farthest() const { return rays_.max_distance() > 0.0 ? rays_.max_distance() : numbers::kInfinity; }
 
     /// False: there is no ray.
     bool begin(const PathSample& sample, Draws& draws, QueuedRay& out)

@@ -17,7 +17,7 @@ public:
     std::array<double, 2> pair()
     {
         const std::uint64_t place = std::uint64_t{seed_} << 32 | ++dimension_;
-        return sobol_point(static_cast<std::uint32_t>(stirred(place * 0x9e3779b97f4a7c15u)), index_);
+        return sobol_point(static_cast<std::uint32_t>(numbers::stirred(place * 0x9e3779b97f4a7c15u)), index_);
     }
     double one() { return pair()[0]; }
 

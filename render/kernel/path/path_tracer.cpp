@@ -102,7 +102,7 @@ private:
         rays_.common_origin = false;
         for (std::size_t k = 0; k < count; ++k)
             rays_.set(k, segments_[k].state.ray, segments_[k].state.start,
-                      walks_[k].bounces == 0 ? camera_.farthest() : csg::kInfinity);
+                      walks_[k].bounces == 0 ? camera_.farthest() : numbers::kInfinity);
         world_.nearest(rays_, bit(segments_[0].state.kind), scratch_.geometry, hits_);
         return SegmentTile(context_, rays_, hits_, unused_, nullptr, segments_.data());
     }
@@ -188,7 +188,8 @@ private:
                 return state.interiors.empty() ? glm::vec3(1)
                                                : path::absorbed(scene_.interiors[state.interiors.last()], t);
             };
-            walk.radiance += walk.throughput * faces_.met(state.ray, state.start, met.found() ? met.t : csg::kInfinity,
+            walk.radiance += walk.throughput * faces_.met(state.ray, state.start,
+                                                          met.found() ? met.t : numbers::kInfinity,
                                                           walk.length - walk.chain.begin, *walk.chain.from, dim);
         }
     }

@@ -46,7 +46,7 @@ public:
         if (black(response.value)) return;
         to.hit = k;
         to.weight = carried * response.value * (mis_weight(to.pdf, response.pdf) / static_cast<float>(to.pdf));
-        rays_.set(count_, {hit.point, direction}, start_of(context_, hit, direction), csg::kInfinity);
+        rays_.set(count_, {hit.point, direction}, start_of(context_, hit, direction), numbers::kInfinity);
         ++count_;
     }
 

@@ -151,7 +151,7 @@ private:
         rays_.count = static_cast<int>(count);
         rays_.common_origin = false;
         for (std::size_t i = 0; i < count; ++i)
-            rays_.set(i, tracing_[i].state.ray, tracing_[i].state.start, csg::kInfinity);
+            rays_.set(i, tracing_[i].state.ray, tracing_[i].state.start, numbers::kInfinity);
         world_.nearest(rays_, bits(tracing_[0]), scratch_.geometry, met_);
         for (std::size_t i = 0; i < count; ++i) {
             const Hit hit = met_.at(static_cast<int>(i));
@@ -323,7 +323,7 @@ private:
     {
         const texture::FinishExtension& rough = scene_.textures.extensions[finish.extension];
         if (!(rough.gloss_exponent > 0.0f)) return;
-        const auto seed = static_cast<std::uint32_t>(random_seed(hit.point, ray.ray.direction));
+        const auto seed = static_cast<std::uint32_t>(numbers::random_seed(hit.point, ray.ray.direction));
         ray.ray.direction = RoughLobe(rough, ray.ray.direction, hit.normal).direction(sobol_point(seed, 0));
         ray.start = start_of(context_, hit, ray.ray.direction);
     }

@@ -71,8 +71,8 @@ private:
             g.next = next;
             if (!g.bent) next = (next + static_cast<std::size_t>(rules_.rays)) % pool;
         } else {
-            const double at =
-                random_of(random_seed(of.point, of.normal), static_cast<std::uint32_t>(context_.bounce), 0);
+            const double at = numbers::random_of(numbers::random_seed(of.point, of.normal),
+                                                 static_cast<std::uint32_t>(context_.bounce), 0);
             g.next = static_cast<std::size_t>(at * static_cast<double>(pool)) * static_cast<std::size_t>(rules_.rays) %
                      pool;
         }
@@ -172,7 +172,7 @@ private:
         rays.oy.fill(of.point.y);
         rays.oz.fill(of.point.z);
         rays.t_min.fill(of.start);
-        rays.t_max.fill(csg::kInfinity);
+        rays.t_max.fill(numbers::kInfinity);
         scratch_.owner.fill(static_cast<std::uint8_t>(i));
         SortedRays sorted(field_.order, g.next, static_cast<std::size_t>(rules_.rays), scratch_);
         while (sorted.next(g)) trace_alone(i);
@@ -219,7 +219,7 @@ private:
     void wait(std::size_t i, std::size_t k)
     {
         const std::size_t j = scratch_.waiting++;
-        scratch_.shaded_rays.set(j, scratch_.rays.ray(static_cast<int>(k)), scratch_.rays.t_min[k], csg::kInfinity);
+        scratch_.shaded_rays.set(j, scratch_.rays.ray(static_cast<int>(k)), scratch_.rays.t_min[k], numbers::kInfinity);
         scratch_.shaded_hits.set(static_cast<int>(j), scratch_.hits.at(static_cast<int>(k)));
         scratch_.waiting_owner[j] = static_cast<std::uint8_t>(i);
         scratch_.waiting_share[j] = importance(k);
@@ -248,7 +248,7 @@ private:
             for (std::size_t k = 0; k < count; ++k) {
                 const GatherRay& ray = scratch_.pending[scratch_.order[first + k]];
                 const Request& of = scratch_.requests[ray.owner];
-                rays.set(k, {of.point, ray.direction}, of.start, csg::kInfinity);
+                rays.set(k, {of.point, ray.direction}, of.start, numbers::kInfinity);
                 scratch_.owner[k] = ray.owner;
                 scratch_.number[k] = ray.number;
                 rays.common_origin = rays.common_origin && ray.owner == scratch_.owner[0];
@@ -313,7 +313,7 @@ private:
             for (std::size_t j = 0; j < count; ++j) {
                 const std::size_t k = scratch_.shaded[j];
                 scratch_.shaded_rays.set(j, scratch_.rays.ray(static_cast<int>(k)), scratch_.rays.t_min[k],
-                                         csg::kInfinity);
+                                         numbers::kInfinity);
                 scratch_.shaded_hits.set(static_cast<int>(j), scratch_.hits.at(static_cast<int>(k)));
             }
             scratch_.shaded_rays.count = static_cast<int>(count);
@@ -353,7 +353,7 @@ private:
         s.nearest_way = glm::vec3(g.nearest_way);
         const double e = glm::distance(field_.eye, of.point), least = e * rules_.least_reach,
                      most = e * rules_.most_reach;
-        const double mean = g.inverse > 0.0 ? g.rays / g.inverse : csg::kInfinity;
+        const double mean = g.inverse > 0.0 ? g.rays / g.inverse : numbers::kInfinity;
         s.reach = static_cast<float>(std::min(std::max(mean, least), most));
         constexpr double kTooNear = 0.0001;
         scratch_.kept[i] = g.nearest > kTooNear * most;

@@ -75,9 +75,9 @@ public:
 
 private:
     using Floats = std::array<float, kLanes>;
-    using Float = csg::lanes::FloatPart;
+    using Float = numbers::lanes::FloatPart;
     using Doubles = std::array<double, kLanes>;
-    using Double = csg::lanes::Double;
+    using Double = numbers::lanes::Double;
 
     /// A list of samples that some points read. They lie anywhere in memory: it is asked for what is needed of several
     /// of them before any is looked at.
@@ -107,7 +107,7 @@ private:
             const Double fx(x[first]), fy(y[first]), fz(z[first]);
             std::uint32_t same = 0;
             for (std::size_t at = 0; at < kLanes; at += Double::size)
-                same |= csg::lanes::mask((load(x, at) == fx) & (load(y, at) == fy) & (load(z, at) == fz)) << at;
+                same |= numbers::lanes::mask((load(x, at) == fx) & (load(y, at) == fy) & (load(z, at) == fz)) << at;
             same &= left;
             left &= ~same;
             const glm::dvec3 corner(x[first], y[first], z[first]);
@@ -137,7 +137,7 @@ private:
         std::uint32_t out = 0;
         for (std::size_t at = 0; at < kLanes; at += Float::size) {
             const Float w = load(weight_, at);
-            out |= csg::lanes::mask((w > Float(0.0f)) & !(Float(4.0f) * w < Float(quarters_))) << at;
+            out |= numbers::lanes::mask((w > Float(0.0f)) & !(Float(4.0f) * w < Float(quarters_))) << at;
         }
         return out;
     }
@@ -196,7 +196,7 @@ private:
             for (std::size_t at = 0; at < kLanes; at += Float::size) {
                 const Float x = load(x_, at) - Float(chunk.x[i]), y = load(y_, at) - Float(chunk.y[i]),
                             z = load(z_, at) - Float(chunk.z[i]), far = load(here_, at) * Float(chunk.reach[i]);
-                any |= csg::lanes::mask(x * x + y * y + z * z < far * far);
+                any |= numbers::lanes::mask(x * x + y * y + z * z < far * far);
             }
             close |= any != 0 ? 1u << i : 0u;
         }
@@ -221,7 +221,7 @@ private:
                 const auto k = static_cast<std::size_t>(std::countr_zero(left));
                 const Float x = Float(x_[k]) - cx, y = Float(y_[k]) - cy, z = Float(z_[k]) - cz,
                             far = Float(here_[k]) * reach;
-                close |= csg::lanes::mask(x * x + y * y + z * z < far * far) << at;
+                close |= numbers::lanes::mask(x * x + y * y + z * z < far * far) << at;
             }
         }
         return close & ((1u << Chunk::kMost) - 1u);
@@ -241,7 +241,7 @@ private:
                    before = (above > Float(0.0f)) |
                             (above * above < Float(kMargin * kBehind * kBehind) * square * length_square) |
                             (square < Float(kMargin * kSame * kSame * reach * reach));
-        return csg::lanes::mask(near & alike & before) != 0;
+        return numbers::lanes::mask(near & alike & before) != 0;
     }
 
     /// p: the sample's place where the points' are x_, y_ and z_.
@@ -269,7 +269,7 @@ private:
             Float w = rest;
             if (smooth_) w = xsimd::select(e < Float(0.5f), one - Float(2.0f) * e * e, Float(2.0f) * rest * rest);
             auto used = (d < reach * bound) & (d < r * bound) & (error < bound);
-            if (csg::lanes::mask(used & apart & (above <= zero)) != 0) {  // elsewhere the sample is in front
+            if (numbers::lanes::mask(used & apart & (above <= zero)) != 0) {  // elsewhere the sample is in front
                 const Float front = xsimd::select(apart, above * over / xsimd::sqrt(length_square), one);
                 w = xsimd::select(front <= zero, w * (one + Float(20.0f) * front), w);
                 used = used & (front > Float(kBehind));

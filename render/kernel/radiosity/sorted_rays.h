@@ -53,9 +53,9 @@ private:
 
     void turn(const Gathering& g, std::size_t count)
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         csg::RayTile& rays = scratch_.rays;
-        for (std::size_t k = 0; k < count; k += csg::lanes::kDoubles) {
+        for (std::size_t k = 0; k < count; k += numbers::lanes::kDoubles) {
             const Double x = Double::load_aligned(rays.dx.data() + k), y = Double::load_aligned(rays.dy.data() + k),
                          z = Double::load_aligned(rays.dz.data() + k);
             const auto turned = [&](int axis) {

@@ -21,7 +21,7 @@ namespace trace {
     node.first = first;
     node.count = static_cast<std::uint32_t>(samples);
     node.weights = static_cast<float>(samples);
-    const auto seed = static_cast<std::uint32_t>(random_seed(hit.point, sharp.ray.direction));
+    const auto seed = static_cast<std::uint32_t>(numbers::random_seed(hit.point, sharp.ray.direction));
     const RoughLobe lobe(rough, sharp.ray.direction, hit.normal);
     for (int i = 0; i < samples; ++i) {
         RayState ray = sharp;

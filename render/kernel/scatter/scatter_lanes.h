@@ -81,7 +81,7 @@ private:
     void find_mirrored(HitMask hits)
     {
         using csg::lanes::Directions;
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         const TileHits& at = scratch_.hits;
         const Double least(context_.scene.tolerance.hit), coarse(csg::Tolerance::kCoarse), zero(0.0);
         each_vector(hits, [&](int i) {
@@ -92,8 +92,8 @@ private:
             const Directions r = mirrored_unit(mirrored_about(d, n, along), context_.scene.camera.povray);
             along.store_aligned(cosine_.data() + i);
             mirrored_.store(i, r);
-            mirrored_along_ |= HitMask{csg::lanes::mask(dot(n, r) > zero)} << i;
-            through_along_ |= HitMask{csg::lanes::mask(along > zero)} << i;
+            mirrored_along_ |= HitMask{numbers::lanes::mask(dot(n, r) > zero)} << i;
+            through_along_ |= HitMask{numbers::lanes::mask(along > zero)} << i;
             const Double largest = xsimd::max(xsimd::max(xsimd::abs(get(at.x)), xsimd::abs(get(at.y))),
                                               xsimd::max(xsimd::abs(get(at.z)), get(tile_.hits.t)));
             xsimd::max(least, coarse * largest).store_aligned(start_.data() + i);
@@ -103,7 +103,7 @@ private:
     /// Shares that Fresnel's equations give, of hits whose finish goes by them.
     void find_fresnel(HitMask hits)
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         for_each_hit(hits, [this](std::size_t k) {
             const texture::Finish& finish = batch_.top_finish(k);
             if (!finish.fresnel || finish.schlick || finish.reflection_min == finish.reflection_max) return;
@@ -161,7 +161,7 @@ private:
     void bend()
     {
         using csg::lanes::Directions;
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         HitMask along_normal = 0;
         const TileHits& at = scratch_.hits;
         each_vector(bent_, [&](int i) {
@@ -170,12 +170,12 @@ private:
             Double stretch = get(stretch_);
             const Directions d{stretch * get(tile_.rays.dx), stretch * get(tile_.rays.dy),
                                stretch * get(tile_.rays.dz)};
-            csg::lanes::Bool total;
+            numbers::lanes::Bool total;
             const Directions bent = bent_behind(d, n, get(ratio_), stretch, total);
-            total_ |= HitMask{csg::lanes::mask(total)} << i;
+            total_ |= HitMask{numbers::lanes::mask(total)} << i;
             bent_ray_.store(i, bent);
             stretch.store_aligned(stretch_.data() + i);
-            along_normal |= HitMask{csg::lanes::mask(dot(n, bent) > Double(0.0))} << i;
+            along_normal |= HitMask{numbers::lanes::mask(dot(n, bent) > Double(0.0))} << i;
         });
         total_ &= bent_;
         through_along_ = (through_along_ & ~bent_) | (along_normal & bent_);
@@ -190,7 +190,7 @@ private:
             out |= (ways & 1) << k;
             in |= (ways >> 1) << k;
         });
-        const HitMask own = csg::lanes::equal(tile_.hits.instance, Hit::kNoInstance);
+        const HitMask own = numbers::lanes::equal(tile_.hits.instance, Hit::kNoInstance);
         const auto leaving = [&](HitMask inward) { return own & ((in & inward) | (out & ~inward)); };
         mirrored_inward_ = inward_of(mirrored_along_);
         through_inward_ = inward_of(through_along_);
@@ -200,7 +200,7 @@ private:
     /// Of rays whose directions lie along the normal that faces the viewer: those that go into the solid.
     HitMask inward_of(HitMask along_normal) const
     {
-        const HitMask inverted = ~csg::lanes::equal(tile_.hits.inverted.data(), 0);
+        const HitMask inverted = ~numbers::lanes::equal(tile_.hits.inverted.data(), 0);
         return ~(along_normal ^ tile_.from_inside() ^ inverted);
     }
 
@@ -294,9 +294,9 @@ private:
     template <class F>
     static void each_vector(HitMask hits, F&& f)
     {
-        constexpr HitMask kVector = (HitMask{1} << csg::lanes::kDoubles) - 1;
+        constexpr HitMask kVector = (HitMask{1} << numbers::lanes::kDoubles) - 1;
         while (hits != 0) {
-            const std::size_t i = first_hit(hits) / csg::lanes::kDoubles * csg::lanes::kDoubles;
+            const std::size_t i = first_hit(hits) / numbers::lanes::kDoubles * numbers::lanes::kDoubles;
             f(static_cast<int>(i));
             hits &= ~(kVector << i);
         }

@@ -22,7 +22,7 @@ template <class D>
 template <class D>
 [[gnu::always_inline]] inline D unit_of(const D& v, NumberOf<D>& length)
 {
-    length = csg::lanes::root_of(csg::lanes::dot(v, v));
+    length = numbers::lanes::root_of(csg::lanes::dot(v, v));
     const NumberOf<D> over = NumberOf<D>(1.0) / length;
     return {v.x * over, v.y * over, v.z * over};
 }

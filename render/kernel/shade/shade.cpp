@@ -54,7 +54,7 @@ void intersect(Context& context, const QueuedRay* queued, int count)
     rays.count = count;
     rays.common_origin = false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-        rays.set(i, queued[i].state.ray, queued[i].state.start, csg::kInfinity);
+        rays.set(i, queued[i].state.ray, queued[i].state.start, numbers::kInfinity);
     context.world.nearest(rays, bit(queued[0].state.kind), context.scratch.geometry, scratch.segments.hits);
 }
 

@@ -17,7 +17,7 @@ template <class T>
 inline T entry_area(const T& mm, const T& facing)
 {
     const T flattest(0.01);
-    return T(4.0 * std::numbers::pi) * mm * mm / csg::lanes::choose(facing > flattest, facing, flattest);
+    return T(4.0 * std::numbers::pi) * mm * mm / numbers::lanes::choose(facing > flattest, facing, flattest);
 }
 
 /// A tile whose rays have met places where light goes in.
@@ -27,7 +27,7 @@ struct EntryTile {
     const csg::ShadingPoints& places;
     double mm_per_unit;
 
-    using Double = csg::lanes::Double;
+    using Double = numbers::lanes::Double;
 
     static Double load(const std::array<double, csg::kTileRays>& lanes, int i)
     {
@@ -90,10 +90,10 @@ struct DrawnDepths {
     /// Samples first <= i < first + count of a site.
     void draw(std::uint64_t seed, std::uint32_t first, std::uint32_t count)
     {
-        using csg::lanes::Double;
-        for (std::uint32_t i = 0; i < count; ++i) left[i] = 1.0 - random_of(seed, 0, first + i);
-        for (std::uint32_t i = 0; i < count; i += csg::lanes::kDoubles)
-            (Double(0.0) - csg::lanes::logarithm(Double::load_aligned(left.data() + i)))
+        using numbers::lanes::Double;
+        for (std::uint32_t i = 0; i < count; ++i) left[i] = 1.0 - numbers::random_of(seed, 0, first + i);
+        for (std::uint32_t i = 0; i < count; i += numbers::lanes::kDoubles)
+            (Double(0.0) - numbers::lanes::logarithm(Double::load_aligned(left.data() + i)))
                 .store_aligned(drawn.data() + i);
     }
 };
@@ -108,10 +108,10 @@ public:
     template <class Color>
     void add(const EntryTile& tile, SubsurfaceSite& site, HitMask which, const TileLight& light, Color&& color)
     {
-        const csg::lanes::Double least(kNearlyZero), eta(site.matter.eta), zero(0.0), one(1.0);
+        const numbers::lanes::Double least(kNearlyZero), eta(site.matter.eta), zero(0.0), one(1.0);
         csg::each_vector(which, [&](int i) {
-            const csg::lanes::Double cosine = tile.cosine(light, i);
-            csg::lanes::choose(cosine >= least, cosine * (one - texture::fresnel_share(eta, cosine)), zero)
+            const numbers::lanes::Double cosine = tile.cosine(light, i);
+            numbers::lanes::choose(cosine >= least, cosine * (one - texture::fresnel_share(eta, cosine)), zero)
                 .store_aligned(arriving_.data() + i);
         });
         sum(tile, site, which, color);
@@ -138,9 +138,9 @@ private:
 
     void find(const EntryTile& tile, const SubsurfaceSite& site, HitMask which)
     {
-        using csg::lanes::Double;
+        using numbers::lanes::Double;
         csg::each_vector(which, [&](int i) {
-            const auto fresh = csg::lanes::lanes_of(static_cast<std::uint32_t>(which >> i));
+            const auto fresh = numbers::lanes::lanes_of(static_cast<std::uint32_t>(which >> i));
             const Double area = tile.area(i) * Double(site.passed), apart = tile.apart(site.point, i);
             for (int c = 0; c < 3; ++c) {
                 TileLanes& share = share_[static_cast<std::size_t>(c)];
@@ -173,11 +173,11 @@ public:
     void each(const EntryTile& tile, HitMask which, const TileLight& light, F&& f)
     {
         csg::each_vector(which, [&](int i) {
-            const csg::lanes::Double cosine = tile.cosine(light, i);
-            const ScatteredOnce<csg::lanes::Double> once{EntryTile::load(eta_, i), EntryTile::load(extinction_, i),
-                                                         EntryTile::load(outer_, i), EntryTile::load(scale_, i)};
-            csg::lanes::choose(cosine >= csg::lanes::Double(kNearlyZero), once.share(cosine, tile.way(i)),
-                               csg::lanes::Double(0.0))
+            const numbers::lanes::Double cosine = tile.cosine(light, i);
+            const ScatteredOnce<numbers::lanes::Double> once{EntryTile::load(eta_, i), EntryTile::load(extinction_, i),
+                                                             EntryTile::load(outer_, i), EntryTile::load(scale_, i)};
+            numbers::lanes::choose(cosine >= numbers::lanes::Double(kNearlyZero), once.share(cosine, tile.way(i)),
+                                   numbers::lanes::Double(0.0))
                 .store_aligned(share_.data() + i);
         });
         for_each_hit(which, [&](std::size_t k) { f(k, share_[k]); });

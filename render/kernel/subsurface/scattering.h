@@ -9,7 +9,7 @@
 #include <numbers>
 
 /// What a material does to light below its surface, per channel (spec 6, 5.2 and 5.3). Lengths are in mm. T is double
-/// or csg::lanes::Double: the same bits for both.
+/// or numbers::lanes::Double: the same bits for both.
 namespace trace {
 
 /// The cosine beyond an interface.
@@ -17,7 +17,7 @@ template <class T>
 inline T bent_cosine(const T& cosine, const T& eta)
 {
     const T zero(0.0), one(1.0), squared = one - (one - cosine * cosine) / (eta * eta);
-    return csg::lanes::root_of(csg::lanes::choose(squared > zero, squared, zero));
+    return numbers::lanes::root_of(numbers::lanes::choose(squared > zero, squared, zero));
 }
 
 /// What is left of light after a depth; nothing that counts, but not 0, of what is too deep.
@@ -25,7 +25,8 @@ template <class T>
 inline T left_at(const T& optical_depth)
 {
     const T deepest(700.0);
-    return csg::lanes::exponential(T(0.0) - csg::lanes::choose(optical_depth < deepest, optical_depth, deepest));
+    return numbers::lanes::exponential(T(0.0) -
+                                       numbers::lanes::choose(optical_depth < deepest, optical_depth, deepest));
 }
 
 struct Scattering {
@@ -65,7 +66,7 @@ struct Scattering {
     T dipole(int c, const T& squared) const
     {
         const auto pole = [&](double z) {
-            const T d = csg::lanes::root_of(T(z * z) + squared), over = T(1.0) / d;
+            const T d = numbers::lanes::root_of(T(z * z) + squared), over = T(1.0) / d;
             return T(z) * (T(effective[c]) + over) * left_at(T(effective[c]) * d) * (over * over);
         };
         return T(albedo[c] / (4.0 * std::numbers::pi)) * (pole(depth[c]) + pole(height[c]));
@@ -88,7 +89,7 @@ struct ScatteredOnce {
     /// way_in: below the surface, as if the light were not bent there
     T share(const T& cos_in, const T& way_in) const
     {
-        const T inner = bent_cosine(cos_in, eta), geometry = csg::lanes::size_of(outer / inner);
+        const T inner = bent_cosine(cos_in, eta), geometry = numbers::lanes::size_of(outer / inner);
         return cos_in * (T(1.0) - texture::fresnel_share(eta, cos_in)) * scale / (T(1.0) + geometry) *
                left_at(way_in * cos_in / inner * extinction);
     }

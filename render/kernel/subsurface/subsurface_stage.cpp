@@ -48,7 +48,7 @@ public:
         sites_.push_back({k, row, interior, point, normal, viewer,
                           Scattering(at.pigment[k] * finish.subsurface_diffuse, finish.translucency, eta,
                                      plan_.tables[plan_.table_of[interior]]),
-                          random_seed(point, viewer), point});
+                          numbers::random_seed(point, viewer), point});
         SubsurfaceSite& site = sites_.back();
         site.passed = 1.0 - texture::fresnel_share(site.matter.eta, site.cosine());
     }
@@ -81,7 +81,7 @@ private:
         rays_.count = count;
         rays_.common_origin = common_origin;
         context_.world.nearest(rays_, bit(plan::RayKind::Image), own_.scratch.geometry, met_);
-        found_ = first_hits(count) & ~csg::lanes::equal(met_.surface, csg::kNoSurface);
+        found_ = first_hits(count) & ~numbers::lanes::equal(met_.surface, csg::kNoSurface);
     }
 
     /// A point below each site, half way where the object is thin.
@@ -123,7 +123,7 @@ private:
             for (std::size_t octant = 0; octant < OctantOrder::kOctants; ++octant) {
                 for (const std::uint32_t number : order_.of(octant)) {
                     sent_.add(s, waiting);
-                    rays_.set(waiting++, {site.base, plan_.directions[number]}, kFromBelow, csg::kInfinity);
+                    rays_.set(waiting++, {site.base, plan_.directions[number]}, kFromBelow, numbers::kInfinity);
                     if (waiting == kTileRays) flush();
                 }
                 if (waiting >= kFewest) flush();
@@ -240,13 +240,13 @@ private:
                 way.direction = way.open ? glm::normalize(-ratio * site.viewer +
                                                           (ratio * c - std::sqrt(std::max(0.0, k))) * site.normal)
                                          : -site.normal;
-                rays_.set(i, {site.point, way.direction}, context_.scene.tolerance.hit, csg::kInfinity);
+                rays_.set(i, {site.point, way.direction}, context_.scene.tolerance.hit, numbers::kInfinity);
             }
             trace(static_cast<int>(count));
             context_.world.shading_points(rays_, met_, found_, places_);
             for (std::size_t i = 0; i < count; ++i) {
                 WayBelow& way = ways_[first + i];
-                way.length = has(found_, i) ? met_.t[i] * plan_.mm_per_unit : csg::kInfinity;
+                way.length = has(found_, i) ? met_.t[i] * plan_.mm_per_unit : numbers::kInfinity;
                 way.same = has(found_, i) && interior_of(met_.surface[i]) == sites_[first + i].interior;
                 if (!way.same) continue;
                 way.end = places_.point(i);
@@ -344,7 +344,7 @@ private:
             if (k < 0.0) continue;
             const glm::dvec3 out = matter.eta * way.direction + (matter.eta * c - std::sqrt(k)) * normal;
             owner_[waiting] = s;
-            rays_.set(waiting++, {way.end, glm::normalize(out)}, context_.scene.tolerance.hit, csg::kInfinity);
+            rays_.set(waiting++, {way.end, glm::normalize(out)}, context_.scene.tolerance.hit, numbers::kInfinity);
             if (waiting == kTileRays) flush();
         }
         flush();

@@ -124,8 +124,8 @@ void TextureMaps::mix(const Context& context, std::uint32_t at, TileColors& out)
     for (std::uint32_t i = 0; i < texture.count; ++i) {
         if (entries[i] == texture::kNone) continue;
         mix(context, entries[i], found);
-        take_colors(place.hits & csg::lanes::equal(blends.lower, i), found, out);
-        take_colors(blends.blended & csg::lanes::equal(blends.upper, i), found, upper);
+        take_colors(place.hits & numbers::lanes::equal(blends.lower, i), found, out);
+        take_colors(blends.blended & numbers::lanes::equal(blends.upper, i), found, upper);
     }
     mix_entries(blends, upper, out);
 }

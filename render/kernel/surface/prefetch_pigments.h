@@ -22,7 +22,7 @@ inline HitMask pass_layer(const texture::ColorPoints& c, TileColors& filter, flo
             std::abs(0.297f * filter.red[k] + 0.589f * filter.green[k] + 0.114f * filter.blue[k]);  // scene::grey
         open[k] = (residual < 1.0f ? residual : 1.0f) > bailout ? 1 : 0;
     }
-    return csg::lanes::equal(open, 1);
+    return numbers::lanes::equal(open, 1);
 }
 
 /// Pigments of layered textures for the tile's hits that have such, the top layers first: one is asked for only where

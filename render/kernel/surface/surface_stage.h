@@ -30,7 +30,7 @@ public:
         own_.layered_count = own_.mapped_count = 0;
         for (HitMask left = tile_.found(); left != 0;) {
             const csg::SurfaceId surface = tile_.hits.surface[first_hit(left)];
-            const HitMask group = left & csg::lanes::equal(tile_.hits.surface, surface);
+            const HitMask group = left & numbers::lanes::equal(tile_.hits.surface, surface);
             const plan::SurfaceTraits& traits = context_.traits.surfaces[surface];
             begin(group & ~tile_.from_inside(), surface, traits.outer, traits.outer_patterned);
             begin(group & tile_.from_inside(), surface, traits.inner, traits.inner_patterned);

@@ -36,7 +36,7 @@ inline void each_place(int count, F&& f)
 /// Whether the hits are so few that a loop over them is faster than one over all places of the tile.
 inline bool few(HitMask hits) { return std::popcount(hits) <= 8; }
 
-using csg::deposited;
+using numbers::deposited;
 
 /// Hits 0 <= k < count.
 inline HitMask first_hits(int count) { return count < csg::kTileRays ? (HitMask{1} << count) - 1 : ~HitMask{0}; }

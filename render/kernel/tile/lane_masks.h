@@ -7,6 +7,10 @@
 
 namespace trace {
 
+using numbers::FloatMask;
+using numbers::lanes::FloatPart;
+using numbers::lanes::kFloatPart;
+
 /// A mask as a number a lane, 0 or 1: what loops over all hits choose by without a branch.
 struct LaneMask {
     alignas(64) std::array<std::uint32_t, csg::kTileRays> of;

@@ -19,13 +19,13 @@ using TileHits = csg::ShadingPoints;
 /// Turns normals that face along their rays; which.
 inline HitMask turn_to_viewer(const csg::RayTile& rays, TileHits& places)
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     HitMask turned = 0;
-    for (int i = 0; i < rays.count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < rays.count; i += numbers::lanes::kDoubles) {
         const auto get = [i](const TileLanes& lanes) { return Double::load_aligned(lanes.data() + i); };
         const Double x = get(places.nx), y = get(places.ny), z = get(places.nz);
         const auto away = x * get(rays.dx) + y * get(rays.dy) + z * get(rays.dz) > Double(0.0);
-        const HitMask bits = csg::lanes::mask(away);
+        const HitMask bits = numbers::lanes::mask(away);
         if (bits == 0) continue;
         turned |= bits << i;
         xsimd::select(away, -x, x).store_aligned(places.nx.data() + i);
@@ -51,15 +51,15 @@ struct alignas(64) TileLight {
 
 /// A place for each lane.
 struct LanePoints {
-    csg::lanes::Double x, y, z;
+    numbers::lanes::Double x, y, z;
 };
 
 /// light::toward for light that comes from at(i) to the hits from i on in lanes, 0 <= i < count.
 template <class At>
 inline void toward_places(const At& at, const TileHits& hits, int count, TileLight& out)
 {
-    using csg::lanes::Double;
-    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+    using numbers::lanes::Double;
+    for (int i = 0; i < count; i += numbers::lanes::kDoubles) {
         const LanePoints from = at(i);
         const Double x = from.x - Double::load_aligned(hits.x.data() + i),
                      y = from.y - Double::load_aligned(hits.y.data() + i),
@@ -76,13 +76,13 @@ inline void toward_places(const At& at, const TileHits& hits, int count, TileLig
 inline void toward_lamp(const light::Light& light, const TileHits& hits, int count, TileLight& out,
                         const glm::dvec3& offset = glm::dvec3(0))
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     const glm::dvec3 at = light.location + offset;
     const LanePoints place{Double(at.x), Double(at.y), Double(at.z)};
     if (!light::seen_in_one_direction(light)) return toward_places([&](int) { return place; }, hits, count, out);
     const glm::dvec3 direction = light::toward(light, glm::dvec3(0), offset).direction;
     const Double dx(direction.x), dy(direction.y), dz(direction.z);
-    for (int i = 0; i < count; i += csg::lanes::kDoubles) {
+    for (int i = 0; i < count; i += numbers::lanes::kDoubles) {
         const Double x = place.x - Double::load_aligned(hits.x.data() + i),
                      y = place.y - Double::load_aligned(hits.y.data() + i),
                      z = place.z - Double::load_aligned(hits.z.data() + i);

@@ -9,8 +9,8 @@ namespace trace {
 template <class F>
 inline void each_part(HitMask hits, F&& f)
 {
-    constexpr HitMask kPart = (HitMask{1} << csg::lanes::kFloatPart) - 1;
-    for (std::size_t first = 0; first < csg::kTileRays; first += csg::lanes::kFloatPart)
+    constexpr HitMask kPart = (HitMask{1} << numbers::lanes::kFloatPart) - 1;
+    for (std::size_t first = 0; first < csg::kTileRays; first += numbers::lanes::kFloatPart)
         if ((hits >> first & kPart) != 0) f(first);
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kCenter = 1e-10;
 
-using csg::lanes::Double;
-constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
+using numbers::lanes::Double;
+constexpr std::size_t kLanes = static_cast<std::size_t>(numbers::lanes::kDoubles);
 
 /// One vector, or one in each lane.
 template <class V>
@@ -25,7 +25,7 @@ struct Vectors {
 
     Vectors of_unit_length() const
     {
-        const V inverse = V(1.0) / csg::lanes::root_of(V(x * x + y * y + z * z));
+        const V inverse = V(1.0) / numbers::lanes::root_of(V(x * x + y * y + z * z));
         return {x * inverse, y * inverse, z * inverse};
     }
 };

@@ -67,8 +67,8 @@ private:
             state.weight = 0;
             for (std::size_t first = 0; first < state.rays.size(); first += most)
                 out.push_back({part, first, std::min(most, state.rays.size() - first),
-                               stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() + 1 +
-                                       options_.radiosity_seed * kFar)});
+                               numbers::stirred((static_cast<std::uint64_t>(pass.number) << 32) + out.size() + 1 +
+                                                options_.radiosity_seed * kFar)});
         }
         if (!in_order(pass))
             std::sort(out.begin(), out.end(), [](const PartTile& a, const PartTile& b) { return a.seed < b.seed; });

@@ -32,7 +32,7 @@ std::uint32_t seed_of(int x, int y, std::uint32_t seed)
 {
     const std::uint64_t place = static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32 |
                                 static_cast<std::uint32_t>(x);
-    return static_cast<std::uint32_t>(stirred(stirred(place + 0x9e3779b97f4a7c15u) + seed));
+    return static_cast<std::uint32_t>(numbers::stirred(numbers::stirred(place + 0x9e3779b97f4a7c15u) + seed));
 }
 
 /// What a thread asks of paths, and what they find.

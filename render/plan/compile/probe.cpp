@@ -50,7 +50,7 @@ ObjectProbe::Answer ObjectProbe::trace(const glm::dvec3& origin, const glm::dvec
 {
     const csg::Ray ray{origin, direction};
     const csg::World world = compiled_.world();
-    const csg::Hit hit = world.nearest(ray, kMinDistance, csg::kInfinity, kEveryRay, *scratch_);
+    const csg::Hit hit = world.nearest(ray, kMinDistance, numbers::kInfinity, kEveryRay, *scratch_);
     if (!hit.found()) return {};
     const csg::HitDetails details = world.details(ray, hit, false);
     return {true, details.point, details.normal};

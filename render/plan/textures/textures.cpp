@@ -263,8 +263,8 @@ std::uint32_t TextureCompiler::normal(const scene::Normal& description, bool no_
     const Level level(*this, description.pattern);
     texture::Normal out;
     out.no_bump_scale = description.no_bump_scale || no_bump_scale;
-    out.amount = csg::single(description.amount);
-    out.accuracy = csg::single(description.accuracy);
+    out.amount = numbers::single(description.amount);
+    out.accuracy = numbers::single(description.accuracy);
     out.pattern = pattern(description.pattern, by);
     if (out.pattern == texture::kNone) {
         if (!description.pattern.name.empty())

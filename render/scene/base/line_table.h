@@ -47,8 +47,8 @@ private:
         std::size_t at = 0;
         for (; at + kStep <= text.size(); at += kStep) {
             const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data() + at);
-            if (csg::lanes::equal(bytes, '\r') != 0) return false;
-            for (std::uint64_t feeds = csg::lanes::equal(bytes, '\n'); feeds != 0; feeds &= feeds - 1)
+            if (numbers::lanes::equal(bytes, '\r') != 0) return false;
+            for (std::uint64_t feeds = numbers::lanes::equal(bytes, '\n'); feeds != 0; feeds &= feeds - 1)
                 starts_.push_back(
                     static_cast<std::uint32_t>(at + static_cast<std::size_t>(std::countr_zero(feeds)) + 1));
         }

@@ -111,7 +111,7 @@ Sums some_rays(const Body& body, const csg::Aabb& box, int axis, int run, const 
             glm::dvec3 p = box.lower;
             p[u] += size[u] * place(i, right);
             p[v] += size[v] * place(i * ladder.step() % rays, up);
-            tile.lines.add({p, direction}, -csg::kInfinity, csg::kInfinity);
+            tile.lines.add({p, direction}, -numbers::kInfinity, numbers::kInfinity);
         }
         body.lines().chords(tile.lines, tile.chords);
         for (std::size_t k = 0; k < tile.lines.count; ++k)
@@ -200,7 +200,7 @@ void look(const Body& body, const glm::dvec3& p, int axis, csg::Aabb& box, std::
           std::vector<Chord>& chords)
 {
     const glm::dvec3 direction = unit(axis);
-    body.chords(p, direction, -csg::kInfinity, csg::kInfinity, chords);
+    body.chords(p, direction, -numbers::kInfinity, numbers::kInfinity, chords);
     for (const Chord& chord : chords)
         for (const End* end : {&chord.in, &chord.out}) {
             const glm::dvec3 q = p + end->t * direction;

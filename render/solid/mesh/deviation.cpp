@@ -67,7 +67,7 @@ public:
     double distance(const glm::dvec3& p) const
     {
         const glm::ivec3 here = cell(p);
-        double best = csg::kInfinity;
+        double best = numbers::kInfinity;
         const int most = std::max(count_[0], std::max(count_[1], count_[2]));
         const glm::dvec3 within = p - (origin_ + step_ * glm::dvec3(here));
         const double border = std::max(0.0, std::min(least(within), step_ - most_of(within)));
@@ -244,7 +244,7 @@ Deviation deviation(const Body& body, const csg::Aabb& extent, const TriangleMes
         along[axis] = 1.0;
         p[u] += (extent.upper - extent.lower)[u] * share(in_grid / rows, i);
         p[v] += (extent.upper - extent.lower)[v] * share(in_grid % rows, i + 7919);
-        body.chords(p, along, -csg::kInfinity, csg::kInfinity, chords);
+        body.chords(p, along, -numbers::kInfinity, numbers::kInfinity, chords);
         for (const Chord& chord : chords)
             for (const End* end : {&chord.in, &chord.out}) {
                 const glm::dvec3 q = p + end->t * along;

@@ -64,7 +64,7 @@ private:
             std::vector<Chord> chords;
             for (int x = 0; x <= nx; ++x) {
                 const glm::dvec3 from = lattice_.place(x, y, 0);
-                body_.chords(from, {0, 0, 1}, -csg::kInfinity, csg::kInfinity, chords);
+                body_.chords(from, {0, 0, 1}, -numbers::kInfinity, numbers::kInfinity, chords);
                 for (const Chord& chord : chords) {
                     const int first = std::max(0, static_cast<int>(std::ceil(chord.in.t / lattice_.step)));
                     for (int z = first; z < nz && z * lattice_.step < chord.out.t; ++z)

@@ -98,8 +98,8 @@ FaceCut cut_face(const Body& body, const Finish& finish, const glm::dvec3& lone,
         const auto at = barycentric(lone, m, n, from), next = barycentric(lone, m, n, from + size * outward);
         std::array<double, 3> slope{};
         for (std::size_t i = 0; i < 3; ++i) slope[i] = (next[i] - at[i]) / size;
-        low = -csg::kInfinity;
-        high = csg::kInfinity;
+        low = -numbers::kInfinity;
+        high = numbers::kInfinity;
         clip(at, slope, low, high);
     };
     const auto look = [&](const glm::dvec3& from, SurfacePoint& found, double& t, bool* folded) {

@@ -55,7 +55,7 @@ protected:
     {
         thread_local std::vector<Chord> chords;
         const double length = glm::length(step);
-        body_.chords(from, step / length, -csg::kInfinity, csg::kInfinity, chords);
+        body_.chords(from, step / length, -numbers::kInfinity, numbers::kInfinity, chords);
         std::uint64_t lost = 0;
         for (int k = 0;; ++k) {
             const std::uint32_t a = corner(k), b = corner(k + 1);

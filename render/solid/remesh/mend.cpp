@@ -176,7 +176,7 @@ bool Remesher::fill_hole(const std::vector<Index>& triangles, const std::vector<
     if (!edges.empty()) {
         mesh_.add_vertex(middle);
         kinds_.push_back(edges.size() == 2 ? Kind::Crease : Kind::Corner);
-        double shortest = csg::kInfinity;
+        double shortest = numbers::kInfinity;
         for (const std::size_t i : edges) shortest = std::min(shortest, lengths_[mesh_.tail(rim[i])]);
         lengths_.push_back(shortest);
         normals_.emplace_back(0.0);

@@ -48,7 +48,7 @@ Remesher::Move Remesher::moved(Index v, const glm::dvec3& to, std::size_t steps)
 Remesher::Move Remesher::beside(Index v) const
 {
     Move out;
-    double nearest = csg::kInfinity;
+    double nearest = numbers::kInfinity;
     const glm::dvec3 here = mesh_.places[v];
     mesh_.each_out(v, [&](Index h) {
         const Index w = mesh_.head(h);

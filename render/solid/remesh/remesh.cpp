@@ -47,7 +47,7 @@ double Remesher::longest_side(Index f) const
 
 double Remesher::shortest_edge(Index v) const
 {
-    double out = csg::kInfinity;
+    double out = numbers::kInfinity;
     mesh_.each_out(v, [&](Index h) { out = std::min(out, length(h)); });
     return out;
 }

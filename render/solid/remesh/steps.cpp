@@ -86,7 +86,7 @@ bool Remesher::may_collapse(Index h, bool unfolding) const
     if (!mesh_.can_collapse(h)) return false;
     const glm::dvec3 from = mesh_.places[u], to = mesh_.places[v];
     bool good = true;
-    double nearest = csg::kInfinity, worst_before = -1.0, worst_after = -1.0, cost_before = 0.0, cost_after = 0.0,
+    double nearest = numbers::kInfinity, worst_before = -1.0, worst_after = -1.0, cost_before = 0.0, cost_after = 0.0,
            thin_before = 0.0, thin_after = 0.0;
     mesh_.each_out(u, [&](Index o) {
         if (!good) return;

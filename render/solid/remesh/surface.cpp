@@ -302,7 +302,7 @@ void Remesher::face_again()
 std::size_t Remesher::look_for_misfits()
 {
     std::vector<double> shares(mesh_.triangles(), 1.0);
-    fitting_.resize(mesh_.triangles(), glm::dvec3(csg::kInfinity));
+    fitting_.resize(mesh_.triangles(), glm::dvec3(numbers::kInfinity));
     each(mesh_.triangles(), [&](Index f) {
         if (!mesh_.has_triangle(f)) return;
         if (middle_of(f) == fitting_[f]) return;  // it is what it was

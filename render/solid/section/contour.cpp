@@ -81,7 +81,7 @@ private:
         tbb::parallel_for(1, squares_[0], [&](int x) {
             look_for_cancel();
             std::vector<Chord> chords;
-            body_.chords(place(x, 0), plane_.direction({0, 1}), -csg::kInfinity, csg::kInfinity, chords);
+            body_.chords(place(x, 0), plane_.direction({0, 1}), -numbers::kInfinity, numbers::kInfinity, chords);
             for (const Chord& chord : chords) {
                 const int first = std::max(1, static_cast<int>(std::ceil(chord.in.t / step_)));
                 for (int y = first; y < squares_[1] && y * step_ < chord.out.t; ++y) space_.inside[corner(x, y)] = 1;

@@ -52,7 +52,7 @@ CuttingPlane beside_faces(const Body& body, const csg::Aabb& extent, CuttingPlan
         for (int i = 0; i < kFaceGrid; ++i) {
             const glm::dvec2 share((i + 0.5037) / kFaceGrid, (j + 0.4961) / kFaceGrid);
             const glm::dvec3 p = plane.point(lower + wide * share);
-            body.chords(p, across, -csg::kInfinity, csg::kInfinity, chords);
+            body.chords(p, across, -numbers::kInfinity, numbers::kInfinity, chords);
             for (const Chord& chord : chords)
                 for (const End* end : {&chord.in, &chord.out}) {
                     if (std::abs(end->t) > room) continue;

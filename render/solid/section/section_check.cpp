@@ -35,7 +35,7 @@ class SideGrid {
 public:
     explicit SideGrid(const std::vector<LoopSide>& sides) : sides_(sides)
     {
-        glm::dvec2 lower(csg::kInfinity), upper(-csg::kInfinity);
+        glm::dvec2 lower(numbers::kInfinity), upper(-numbers::kInfinity);
         for (const LoopSide& s : sides) {
             lower = glm::min(lower, glm::min(s.a, s.b));
             upper = glm::max(upper, glm::max(s.a, s.b));
@@ -57,7 +57,7 @@ public:
     double distance(const glm::dvec2& p) const
     {
         const glm::ivec2 here = cell(p);
-        double best = csg::kInfinity;
+        double best = numbers::kInfinity;
         for (int ring = 0; ring <= std::max(count_[0], count_[1]); ++ring) {
             // What lies in rings beyond is farther than the room up to them.
             if (ring > 0 && best <= (ring - 1) * step_) break;
@@ -136,7 +136,7 @@ SectionCheck check_section(const Body& body, const csg::Aabb& extent, const Cutt
             if (cancel != nullptr && *cancel) throw csg::Cancelled();
             glm::dvec2 p = lower;
             p[1 - k] += size[1 - k] * (i + jitter(run * kLinesOfRun + static_cast<std::uint64_t>(i))) / kLinesOfRun;
-            body.chords(plane.point(p), plane.direction(along), -csg::kInfinity, csg::kInfinity, chords);
+            body.chords(plane.point(p), plane.direction(along), -numbers::kInfinity, numbers::kInfinity, chords);
             for (const Chord& chord : chords) {
                 runs[run].area += chord.length() * size[1 - k] / kLinesOfRun;
                 for (const End* end : {&chord.in, &chord.out}) {

@@ -57,7 +57,7 @@ struct Axis {
         weight = smooth(fraction);
         alignas(64) double cells[kLanes];
         whole.store_aligned(cells);
-        return csg::lanes::mask(whole == Double(cells[0])) == (1u << kLanes) - 1;
+        return numbers::lanes::mask(whole == Double(cells[0])) == (1u << kLanes) - 1;
     }
 };
 

@@ -14,11 +14,13 @@
 /// (corners in pairs along x, then y, then z, then the parts), so every way gives the same bits.
 namespace texture {
 
+using numbers::Row;
+
 /// std::clamp(v, 0.0, 1.0), NaN and signs of zero as there. V is double or Double.
 template <class V>
 inline V clamp01(const V& v)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     const V zero(0.0), one(1.0);
     return choose(v < zero, zero, choose(one < v, one, v));
 }

@@ -16,7 +16,7 @@
 namespace texture {
 namespace {
 
-using csg::lanes::Double;
+using numbers::lanes::Double;
 
 struct Offset {
     std::int8_t x = 0, y = 0, z = 0;
@@ -54,7 +54,7 @@ double powered_distance(const glm::dvec3& delta, double metric, bool signed_sum)
 
 /// Takes distances in any order.
 struct Finder {
-    std::array<double, 3> best{csg::kInfinity, csg::kInfinity, csg::kInfinity};
+    std::array<double, 3> best{numbers::kInfinity, numbers::kInfinity, numbers::kInfinity};
     std::size_t nearest = CellPoints::kAll;
 
     void take(double d, std::size_t cell)
@@ -75,7 +75,7 @@ struct Finder {
 template <bool Squared>
 void distances(const glm::dvec3& p, const CellPoints& cells, std::size_t first, std::size_t last, double* out)
 {
-    for (std::size_t i = first; i < last; i += csg::lanes::kDoubles) {
+    for (std::size_t i = first; i < last; i += numbers::lanes::kDoubles) {
         const Double x = Double(p.x) - Double::load_aligned(cells.x.data() + i),
                      y = Double(p.y) - Double::load_aligned(cells.y.data() + i),
                      z = Double(p.z) - Double::load_aligned(cells.z.data() + i);
@@ -89,7 +89,7 @@ template <int Count>
 std::array<double, 3> smallest(const double* d, std::size_t count)
 {
     NearestLanes<Count> nearest;
-    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) nearest.take(Double::load_aligned(d + i));
+    for (std::size_t i = 0; i < count; i += numbers::lanes::kDoubles) nearest.take(Double::load_aligned(d + i));
     return nearest.merged();
 }
 
@@ -115,7 +115,7 @@ void measure(const glm::dvec3& p, CellPoints& cells, std::size_t wanted, Distanc
     if (out.best[wanted - 1] < kOuterCells) return;
     cells.complete();
     out.count = CellPoints::kAll;
-    constexpr std::size_t kWhole = CellPoints::kNear / csg::lanes::kDoubles * csg::lanes::kDoubles;
+    constexpr std::size_t kWhole = CellPoints::kNear / numbers::lanes::kDoubles * numbers::lanes::kDoubles;
     distances<Squared>(p, cells, kWhole, CellPoints::kAll, out.d.data());
     out.best = smallest(out.d.data(), CellPoints::kAll, wanted);
 }
@@ -128,8 +128,8 @@ Finder nearest_plain(const glm::dvec3& p, CellPoints& cells, std::size_t wanted)
     Finder found;
     found.best = all.best;
     const Double least(all.best[0]);
-    for (std::size_t i = 0; i < all.count; i += csg::lanes::kDoubles)
-        for (std::uint32_t equal = csg::lanes::mask(Double::load_aligned(all.d.data() + i) == least); equal != 0;
+    for (std::size_t i = 0; i < all.count; i += numbers::lanes::kDoubles)
+        for (std::uint32_t equal = numbers::lanes::mask(Double::load_aligned(all.d.data() + i) == least); equal != 0;
              equal &= equal - 1) {
             const std::size_t cell = i + static_cast<std::size_t>(std::countr_zero(equal));
             if (cell >= all.count) break;
@@ -143,10 +143,10 @@ Finder nearest_plain(const glm::dvec3& p, CellPoints& cells, std::size_t wanted)
 void raise(double* v, std::size_t count, double power)
 {
     const Double least(1e-300), one(1.0), exponent(power);
-    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) {
+    for (std::size_t i = 0; i < count; i += numbers::lanes::kDoubles) {
         const Double base = Double::load_aligned(v + i);
         const auto some = base >= least;
-        xsimd::select(some, csg::lanes::power(xsimd::select(some, base, one), exponent), Double(0.0))
+        xsimd::select(some, numbers::lanes::power(xsimd::select(some, base, one), exponent), Double(0.0))
             .store_aligned(v + i);
     }
 }
@@ -167,8 +167,8 @@ Finder nearest_powered(const glm::dvec3& p, CellPoints& cells, double metric, st
     std::array<std::uint8_t, CellPoints::kRoom> cell;
     alignas(64) std::array<double, 3 * CellPoints::kRoom> parts;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < squares.count; i += csg::lanes::kDoubles)
-        for (std::uint32_t near = csg::lanes::mask(Double::load_aligned(squares.d.data() + i) <= Double(limit));
+    for (std::size_t i = 0; i < squares.count; i += numbers::lanes::kDoubles)
+        for (std::uint32_t near = numbers::lanes::mask(Double::load_aligned(squares.d.data() + i) <= Double(limit));
              near != 0; near &= near - 1) {
             const std::size_t at = i + static_cast<std::size_t>(std::countr_zero(near));
             if (at >= squares.count) break;
@@ -233,7 +233,7 @@ private:
     static constexpr long long kMask = NoiseTables::kHashSize - 1;
     static long long cell_number(double at, int repeat)
     {
-        const long long number = csg::truncated_far(at);
+        const long long number = numbers::truncated_far(at);
         if (repeat == 0) return number;
         const long long left = number % repeat;
         return left < 0 ? left + repeat : left;
@@ -258,7 +258,7 @@ void CellPoints::move_to(const glm::dvec3& base_cell, const glm::ivec3& repeat)
         const std::size_t column = axes.column(kOffsets[i].x, kOffsets[i].y);
         for (std::size_t k = i; k < i + kColumn; ++k) axes.put(*this, k, kOffsets[k], column);
     }
-    for (std::size_t i = kNear; i < 32; ++i) x[i] = y[i] = z[i] = csg::kInfinity;
+    for (std::size_t i = kNear; i < 32; ++i) x[i] = y[i] = z[i] = numbers::kInfinity;
 }
 
 void CellPoints::complete()
@@ -268,7 +268,7 @@ void CellPoints::complete()
     const CellAxes axes(base_, repeat_);
     for (std::size_t i = kNear; i < kAll; ++i)
         axes.put(*this, i, kOffsets[i], axes.column(kOffsets[i].x, kOffsets[i].y));
-    for (std::size_t i = kAll; i < kRoom; ++i) x[i] = y[i] = z[i] = csg::kInfinity;
+    for (std::size_t i = kAll; i < kRoom; ++i) x[i] = y[i] = z[i] = numbers::kInfinity;
 }
 
 CellPoints& cell_points(const glm::dvec3& base_cell, const glm::ivec3& repeat)

@@ -12,8 +12,8 @@ namespace texture {
 /// The `Count` (1 to 3) smallest numbers that each lane took, ascending; what is no number counts for nothing.
 template <int Count>
 struct NearestLanes {
-    using Double = csg::lanes::Double;
-    Double first = Double(csg::kInfinity), second = first, third = first;
+    using Double = numbers::lanes::Double;
+    Double first = Double(numbers::kInfinity), second = first, third = first;
 
     void take(const Double& d)
     {
@@ -28,9 +28,9 @@ struct NearestLanes {
     /// The smallest of all lanes; only `Count` of them count.
     std::array<double, 3> merged() const
     {
-        std::array<double, 3> best{csg::kInfinity, csg::kInfinity, csg::kInfinity};
+        std::array<double, 3> best{numbers::kInfinity, numbers::kInfinity, numbers::kInfinity};
         const auto merge = [&best](const Double& of) {
-            alignas(64) std::array<double, csg::lanes::kDoubles> lanes;
+            alignas(64) std::array<double, numbers::lanes::kDoubles> lanes;
             of.store_aligned(lanes.data());
             for (const double d : lanes) {
                 const double behind_first = std::max(d, best[0]);

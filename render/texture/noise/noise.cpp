@@ -20,7 +20,7 @@ struct Cell {
 Cell cell(double v)
 {
     const double moved = v >= 0 ? v : v - kNearlyOne;
-    const int whole = csg::truncated(moved);
+    const int whole = numbers::truncated(moved);
     const std::uint32_t index = static_cast<std::uint32_t>(whole) + std::uint32_t{kCellOffset}, mask = kLatticeMask;
     return {{index & mask, (index + 1) & mask}, v - whole};
 }

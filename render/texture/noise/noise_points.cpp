@@ -210,7 +210,7 @@ public:
         std::uint64_t open = 0;
         each(left_.size(), [&](std::size_t i) {
             const Double v = get(sums_, i) * share;
-            open |= std::uint64_t{csg::lanes::mask((v >= low) & (v < high))} << i;
+            open |= std::uint64_t{numbers::lanes::mask((v >= low) & (v < high))} << i;
         });
         if (left_.size() < kMostPoints) open &= (std::uint64_t{1} << left_.size()) - 1;
         const auto count = static_cast<std::size_t>(std::popcount(open));

@@ -15,7 +15,7 @@ using Floats = __m512;
 inline Floats floats(const float* p) { return _mm512_load_ps(p); }
 inline void put_floats(float* p, Floats v) { _mm512_store_ps(p, v); }
 inline Floats all_floats(float v) { return _mm512_set1_ps(v); }
-inline std::uint32_t beyond(Floats a, Floats b) { return csg::lanes::bits(_mm512_cmp_ps_mask(a, b, _CMP_NLE_UQ)); }
+inline std::uint32_t beyond(Floats a, Floats b) { return numbers::lanes::bits(_mm512_cmp_ps_mask(a, b, _CMP_NLE_UQ)); }
 inline Floats low_pairs(Floats a, Floats b) { return _mm512_unpacklo_ps(a, b); }
 inline Floats high_pairs(Floats a, Floats b) { return _mm512_unpackhi_ps(a, b); }
 template <int Order>
@@ -33,7 +33,7 @@ using Floats = __m256;
 inline Floats floats(const float* p) { return _mm256_load_ps(p); }
 inline void put_floats(float* p, Floats v) { _mm256_store_ps(p, v); }
 inline Floats all_floats(float v) { return _mm256_set1_ps(v); }
-inline std::uint32_t beyond(Floats a, Floats b) { return csg::lanes::bits(_mm256_cmp_ps(a, b, _CMP_NLE_UQ)); }
+inline std::uint32_t beyond(Floats a, Floats b) { return numbers::lanes::bits(_mm256_cmp_ps(a, b, _CMP_NLE_UQ)); }
 inline Floats low_pairs(Floats a, Floats b) { return _mm256_unpacklo_ps(a, b); }
 inline Floats high_pairs(Floats a, Floats b) { return _mm256_unpackhi_ps(a, b); }
 template <int Order>
@@ -50,7 +50,7 @@ using Floats = __m128;
 inline Floats floats(const float* p) { return _mm_load_ps(p); }
 inline void put_floats(float* p, Floats v) { _mm_store_ps(p, v); }
 inline Floats all_floats(float v) { return _mm_set1_ps(v); }
-inline std::uint32_t beyond(Floats a, Floats b) { return csg::lanes::bits(_mm_cmpnle_ps(a, b)); }
+inline std::uint32_t beyond(Floats a, Floats b) { return numbers::lanes::bits(_mm_cmpnle_ps(a, b)); }
 inline Floats low_pairs(Floats a, Floats b) { return _mm_unpacklo_ps(a, b); }
 inline Floats high_pairs(Floats a, Floats b) { return _mm_unpackhi_ps(a, b); }
 template <int Order>

@@ -15,7 +15,7 @@
 namespace texture {
 namespace {
 
-using csg::lanes::Double;
+using numbers::lanes::Double;
 
 glm::ivec3 repeat(const Pattern& pattern)
 {
@@ -82,7 +82,7 @@ Double length_sum(const Pattern& pattern, const NearestLanes<Count>& found)
 template <int Count, bool Squared>
 void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, Values& out)
 {
-    for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+    for (std::size_t i = 0; i < p.size(); i += numbers::lanes::kDoubles) {
         const Double x = Double::load_aligned(p.x.data() + i), y = Double::load_aligned(p.y.data() + i),
                      z = Double::load_aligned(p.z.data() + i);
         NearestLanes<Count> found;
@@ -93,7 +93,7 @@ void shared_cell(const Pattern& pattern, const Points& p, CellPoints& cells, Val
             }
         };
         search(0, CellPoints::kNear);
-        if (csg::lanes::mask(found.last() >= Double(kOuterCells)) != 0) {
+        if (numbers::lanes::mask(found.last() >= Double(kOuterCells)) != 0) {
             cells.complete();
             search(CellPoints::kNear, CellPoints::kAll);
         }

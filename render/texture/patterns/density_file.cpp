@@ -87,7 +87,7 @@ struct Between {
 
     Between(const V& t, std::uint32_t size, double stride)
     {
-        using csg::lanes::choose, std::trunc, xsimd::trunc;
+        using numbers::lanes::choose, std::trunc, xsimd::trunc;
         const V last(static_cast<double>(size) - 1.0), zero(0.0), one(1.0), by(stride), whole = trunc(t);
         const V at = choose(whole < last, whole, last), beyond = t - at;
         place[0] = at * by, place[1] = choose(at < last, at + one, zero) * by;

@@ -136,7 +136,7 @@ struct Walk {
     {
         at = Orbit(rule.next(at));
         smallest = xsimd::select(at.size < smallest, at.size, smallest);
-        const std::uint32_t fresh = csg::lanes::mask(Rule::escaped(at)) & inside;
+        const std::uint32_t fresh = numbers::lanes::mask(Rule::escaped(at)) & inside;
         inside &= ~fresh;
         return fresh;
     }

@@ -52,7 +52,7 @@ double cells(const glm::dvec3& p)
 {
     const glm::dvec3 cell = glm::floor(p + kTiny);
     return pattern_random(
-        cell_hash(csg::truncated_far(cell.x), csg::truncated_far(cell.y), csg::truncated_far(cell.z)));
+        cell_hash(numbers::truncated_far(cell.x), numbers::truncated_far(cell.y), numbers::truncated_far(cell.z)));
 }
 
 double quilted(const Pattern& pattern, const glm::dvec3& p)

@@ -294,7 +294,7 @@ struct Group {
 /// Whether these points show the entry and no other.
 bool of_one_entry(const BlendPoints& blends, std::uint32_t entry, std::uint64_t points)
 {
-    return (points & ~(csg::lanes::equal(blends.lower, entry) & csg::lanes::equal(blends.upper, entry))) == 0;
+    return (points & ~(numbers::lanes::equal(blends.lower, entry) & numbers::lanes::equal(blends.upper, entry))) == 0;
 }
 
 /// Each child for the points that need it, once; then the mixture.
@@ -335,7 +335,7 @@ bool all_equal(const Values& values, std::size_t count)
 {
     const Double first(values[0]);
     for (std::size_t i = 0; i < count; i += kLanes) {
-        const std::uint32_t equal = csg::lanes::mask(get(values, i) == first);
+        const std::uint32_t equal = numbers::lanes::mask(get(values, i) == first);
         const std::uint32_t wanted = count - i < kLanes ? (1u << (count - i)) - 1 : (1u << kLanes) - 1;
         if ((equal & wanted) != wanted) return false;
     }

@@ -41,9 +41,9 @@ double agate_band(const Pattern& pattern, double z, double turbulence);
 template <class T>
 inline T agate_power(const T& c)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     const T zero(0.0), one(1.0), held = choose(c < one, c, one);
-    return choose(held > zero, csg::lanes::power(choose(held > zero, held, one), T(0.77)), zero);
+    return choose(held > zero, numbers::lanes::power(choose(held > zero, held, one), T(0.77)), zero);
 }
 double wood_ring(const Pattern& pattern, double px, double py, double dx, double dy);
 double spiral1(const Pattern& pattern, const glm::dvec3& p);

@@ -45,7 +45,7 @@ long long positive_remainder(long long v, long long by) { return v - by * floor_
 /// The cell with the coordinates (i, j): its flags.
 unsigned cell_flags(const PavementRule& rule, double column, double row)
 {
-    const auto i = csg::truncated_far(column), j = csg::truncated_far(row);
+    const auto i = numbers::truncated_far(column), j = numbers::truncated_far(row);
     long long index = 0;
     switch (rule.numbering) {
     case Numbering::Rows:
@@ -65,7 +65,10 @@ unsigned cell_flags(const PavementRule& rule, double column, double row)
 
 bool flag(unsigned flags, std::size_t bit) { return flags >> bit & 1u; }
 /// `value` as one of 0, 1, ..., count - 1.
-int choice(double value, int count) { return static_cast<int>(positive_remainder(csg::truncated_far(value), count)); }
+int choice(double value, int count)
+{
+    return static_cast<int>(positive_remainder(numbers::truncated_far(value), count));
+}
 
 /// Greatest, summed or straight distance.
 double norm(int kind, double a, double b)
@@ -120,7 +123,7 @@ TriangleCell triangle_cell(double x, double z)
 {
     const double height = kRoot3 / 2.0;
     const double row = std::floor(z / height), up = z - row * height;
-    const double shift = positive_remainder(csg::truncated_far(row), 2) ? 0.5 : 0.0;
+    const double shift = positive_remainder(numbers::truncated_far(row), 2) ? 0.5 : 0.0;
     const double corner = std::floor(x - shift), across = x - shift - corner, column = 2.0 * (corner + shift);
     // A downward triangle is the upward one turned about the middle of their common side.
     if (across == 0.0 || up > kRoot3 * across) return {column - 1.0, row, {0.5 - across, height - up}};

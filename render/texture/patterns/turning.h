@@ -14,7 +14,7 @@ namespace texture {
 template <class T>
 inline T arm_angle(const T& x, const T& y, const T& r)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     const T zero(0.0), a = numbers::asin(y / r);
     return choose(r == zero, zero, choose(x >= zero, T(std::numbers::pi / 2) + a, T(3 * std::numbers::pi / 2) - a));
 }
@@ -22,7 +22,7 @@ inline T arm_angle(const T& x, const T& y, const T& r)
 template <class T>
 inline T spiral_radius(const T& x, const T& y)
 {
-    return csg::lanes::root_of(x * x + y * y);
+    return numbers::lanes::root_of(x * x + y * y);
 }
 
 /// z + r + arms * angle / 2 pi, to which the turbulence is added.
@@ -37,9 +37,9 @@ inline T spiral_phase(double arms, const T& x, const T& y, const T& z)
 template <class T>
 inline T triangle(const T& v)
 {
-    using csg::lanes::choose;
+    using numbers::lanes::choose;
     using std::floor;
-    const T one(1.0), two(2.0), o = choose(v >= T(0.0), v - floor(v), v + one + floor(csg::lanes::size_of(v)));
+    const T one(1.0), two(2.0), o = choose(v >= T(0.0), v - floor(v), v + one + floor(numbers::lanes::size_of(v)));
     return choose(o < T(0.5), two * o, two * (one - o));
 }
 
@@ -47,18 +47,19 @@ template <class T>
 inline T radial(const T& x, const T& z)
 {
     const T axis(0.001);  // POV-Ray's: nearer to the y axis than this counts as on it
-    const csg::lanes::Truth<T> near_x = csg::lanes::size_of(x) < axis, near_z = csg::lanes::size_of(z) < axis;
-    return csg::lanes::choose(near_x & near_z, T(0.25),
-                              T(0.25) + (numbers::atan2(x, z) + T(std::numbers::pi)) / T(kTau));
+    const numbers::lanes::Truth<T> near_x = numbers::lanes::size_of(x) < axis,
+                                   near_z = numbers::lanes::size_of(z) < axis;
+    return numbers::lanes::choose(near_x & near_z, T(0.25),
+                                  T(0.25) + (numbers::atan2(x, z) + T(std::numbers::pi)) / T(kTau));
 }
 
 /// control0, control1: of its height.
 template <class T>
 inline T quilted(const T& x, const T& y, const T& z, double control0, double control1)
 {
-    using csg::lanes::size_of;
+    using numbers::lanes::size_of;
     const T u = quilt_offset(x), v = quilt_offset(y), w = quilt_offset(z),
-            k = quilt_height(csg::lanes::root_of(u * u + v * v + w * w), control0, control1);
+            k = quilt_height(numbers::lanes::root_of(u * u + v * v + w * w), control0, control1);
     return (size_of(k * u) + size_of(k * v) + size_of(k * w)) / T(3.0);
 }
 

@@ -41,25 +41,25 @@ T stretched(const T& value, const T& length, double exponent)
 template <class T>
 Place<T> unless_zero(const T& length, const Place<T>& p, const Place<T>& to)
 {
-    const csg::lanes::Truth<T> stays = length == T(0.0);
-    return {csg::lanes::choose(stays, p.x, to.x), csg::lanes::choose(stays, p.y, to.y),
-            csg::lanes::choose(stays, p.z, to.z)};
+    const numbers::lanes::Truth<T> stays = length == T(0.0);
+    return {numbers::lanes::choose(stays, p.x, to.x), numbers::lanes::choose(stays, p.y, to.y),
+            numbers::lanes::choose(stays, p.z, to.z)};
 }
 
 template <class T>
 Place<T> to_cylindrical(const scene::MappingWarp& w, const Place<T>& p)
 {
-    const T l = csg::lanes::root_of(p.x * p.x + p.z * p.z);
+    const T l = numbers::lanes::root_of(p.x * p.x + p.z * p.z);
     return unless_zero(l, p, orient(stretched(turn(p.x, p.z), l, w.dist_exp), p.y, l, w.orientation));
 }
 
 template <class T>
 Place<T> to_spherical(const scene::MappingWarp& w, const Place<T>& p)
 {
-    const T zero(0.0), d = csg::lanes::root_of(p.x * p.x + p.y * p.y + p.z * p.z);
+    const T zero(0.0), d = numbers::lanes::root_of(p.x * p.x + p.y * p.y + p.z * p.z);
     const T latitude = T(0.5) + numbers::asin(p.y / d) / T(std::numbers::pi);
-    const csg::lanes::Truth<T> on_x = p.x == zero, on_z = p.z == zero;
-    const T theta = csg::lanes::choose(on_x & on_z, zero, turn(p.x, p.z));
+    const numbers::lanes::Truth<T> on_x = p.x == zero, on_z = p.z == zero;
+    const T theta = numbers::lanes::choose(on_x & on_z, zero, turn(p.x, p.z));
     return unless_zero(d, p,
                        orient(stretched(theta, d, w.dist_exp), stretched(latitude, d, w.dist_exp), d, w.orientation));
 }
@@ -67,10 +67,10 @@ Place<T> to_spherical(const scene::MappingWarp& w, const Place<T>& p)
 template <class T>
 Place<T> to_toroidal(const scene::MappingWarp& w, const Place<T>& p)
 {
-    const T l = csg::lanes::root_of(p.x * p.x + p.z * p.z), x = l - T(w.major_radius);
-    const T r = csg::lanes::root_of(x * x + p.y * p.y);
-    const T below = numbers::acos(csg::lanes::negated(x) / r) / T(kTau);
-    const T around = csg::lanes::choose(p.y > T(0.0), T(1.0) - below, below), theta = turn(p.x, p.z);
+    const T l = numbers::lanes::root_of(p.x * p.x + p.z * p.z), x = l - T(w.major_radius);
+    const T r = numbers::lanes::root_of(x * x + p.y * p.y);
+    const T below = numbers::acos(numbers::lanes::negated(x) / r) / T(kTau);
+    const T around = numbers::lanes::choose(p.y > T(0.0), T(1.0) - below, below), theta = turn(p.x, p.z);
     return unless_zero(l, p,
                        orient(stretched(theta, r, w.dist_exp), stretched(around, r, w.dist_exp), r, w.orientation));
 }
@@ -140,8 +140,8 @@ struct Apply {
             for (int k = 0; k < 3; ++k)
                 if (w.repeat[k] >= kTiny) block[k] = std::floor(p[k] / w.repeat[k]);
             if (w.turbulence != glm::dvec3(0)) {
-                const int seed =
-                    cell_hash(csg::truncated_far(block.x), csg::truncated_far(block.y), csg::truncated_far(block.z));
+                const int seed = cell_hash(numbers::truncated_far(block.x), numbers::truncated_far(block.y),
+                                           numbers::truncated_far(block.z));
                 for (int k = 0; k < 3; ++k) center[k] += pattern_random(seed + k) * w.turbulence[k];
             }
             center += w.repeat * block;
@@ -172,7 +172,7 @@ inline Double held(const Double& v)
 
 void hold(Values& v, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; i += csg::lanes::kDoubles) held(get(v, i)).store_aligned(v.data() + i);
+    for (std::size_t i = 0; i < count; i += numbers::lanes::kDoubles) held(get(v, i)).store_aligned(v.data() + i);
 }
 
 /// A warp over many points.
@@ -206,7 +206,7 @@ struct ApplyToAll {
         };
         // Copies: the compiler can't know that points are not written over the matrix.
         const Row rows[3] = {Row(t, 0), Row(t, 1), Row(t, 2)};
-        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+        for (std::size_t i = 0; i < p.size(); i += numbers::lanes::kDoubles) {
             const Double x = get(p.x, i), y = get(p.y, i), z = get(p.z, i);
             const auto at = [&](const Row& row) { return f(row.x * x + row.y * y + row.z * z + row.offset); };
             const Double a = at(rows[0]), b = at(rows[1]), c = at(rows[2]);
@@ -240,11 +240,12 @@ struct ApplyToAll {
     {
         if (w.repeat != glm::dvec3(0)) return one_by_one(w);
         const Double x(w.center.x), y(w.center.y), z(w.center.z), far(WarpReach::hole_reach(w));
-        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+        for (std::size_t i = 0; i < p.size(); i += numbers::lanes::kDoubles) {
             const Double dx = get(p.x, i) - x, dy = get(p.y, i) - y, dz = get(p.z, i) - z;
             const auto out = dx * dx + dy * dy + dz * dz > far;
             if (xsimd::all(out)) continue;
-            for (std::size_t k = i; k < std::min(i + csg::lanes::kDoubles, p.size()); ++k) p.set(k, Apply{p.at(k)}(w));
+            for (std::size_t k = i; k < std::min(i + numbers::lanes::kDoubles, p.size()); ++k)
+                p.set(k, Apply{p.at(k)}(w));
         }
         p.pad();
     }
@@ -252,7 +253,7 @@ struct ApplyToAll {
     void operator()(const scene::MappingWarp& w) const
     {
         if (w.kind == scene::MappingWarp::Kind::Cubic) return one_by_one(w);
-        for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+        for (std::size_t i = 0; i < p.size(); i += numbers::lanes::kDoubles) {
             const Place<Double> to = mapped(w, Place<Double>{get(p.x, i), get(p.y, i), get(p.z, i)});
             to.x.store_aligned(p.x.data() + i);
             to.y.store_aligned(p.y.data() + i);
@@ -284,20 +285,20 @@ struct PointBox {
         Double size(0.0);
         const auto range = [&](const Values& v, double& low, double& high) {
             Double least = get(v, 0), most = least;
-            for (std::size_t i = 0; i < p.size(); i += csg::lanes::kDoubles) {
+            for (std::size_t i = 0; i < p.size(); i += numbers::lanes::kDoubles) {
                 const Double own = get(v, i);
                 least = xsimd::min(least, own), most = xsimd::max(most, own);
                 size = size + xsimd::abs(own);
             }
-            alignas(64) std::array<double, csg::lanes::kDoubles> lows, highs;
+            alignas(64) std::array<double, numbers::lanes::kDoubles> lows, highs;
             least.store_aligned(lows.data()), most.store_aligned(highs.data());
             low = *std::min_element(lows.begin(), lows.end()), high = *std::max_element(highs.begin(), highs.end());
         };
         range(p.x, lower.x, upper.x);
         range(p.y, lower.y, upper.y);
         range(p.z, lower.z, upper.z);
-        if (xsimd::all(size < Double(csg::kInfinity))) return;
-        lower = glm::dvec3(-csg::kInfinity), upper = glm::dvec3(csg::kInfinity);
+        if (xsimd::all(size < Double(numbers::kInfinity))) return;
+        lower = glm::dvec3(-numbers::kInfinity), upper = glm::dvec3(numbers::kInfinity);
     }
 };
 
@@ -305,7 +306,7 @@ struct PointBox {
 /// by the same roundings.
 std::uint32_t next_near(const WarpReach& reach, std::uint32_t i, std::uint32_t end, const PointBox& box)
 {
-    constexpr auto kLanes = static_cast<std::uint32_t>(csg::lanes::kDoubles);
+    constexpr auto kLanes = static_cast<std::uint32_t>(numbers::lanes::kDoubles);
     const Double zero(0.0);
     const auto apart = [&](const std::vector<double>& centers, std::size_t from, double low, double high) {
         const Double center = Double::load_unaligned(centers.data() + from),
@@ -315,7 +316,7 @@ std::uint32_t next_near(const WarpReach& reach, std::uint32_t i, std::uint32_t e
     for (; i + kLanes <= end; i += kLanes) {
         const Double square = apart(reach.x, i, box.lower.x, box.upper.x) +
                               apart(reach.y, i, box.lower.y, box.upper.y) + apart(reach.z, i, box.lower.z, box.upper.z);
-        const std::uint32_t misses = csg::lanes::mask(square > Double::load_unaligned(reach.far.data() + i));
+        const std::uint32_t misses = numbers::lanes::mask(square > Double::load_unaligned(reach.far.data() + i));
         if (misses != (1u << kLanes) - 1) return i + static_cast<std::uint32_t>(std::countr_one(misses));
     }
     return i;
@@ -327,7 +328,7 @@ void warp_points(const TextureSet& set, const Pattern& pattern, Points& p, unsig
 {
     constexpr std::uint32_t kMany = 16;  // warps left, for a look at several at once
     for (std::uint32_t i = 0; i < pattern.warp_count; ++i) {
-        if (i + kMany <= pattern.warp_count && set.reach.far[pattern.first_warp + i] < csg::kInfinity) {
+        if (i + kMany <= pattern.warp_count && set.reach.far[pattern.first_warp + i] < numbers::kInfinity) {
             const std::uint32_t first = pattern.first_warp;
             i = next_near(set.reach, first + i, first + pattern.warp_count, PointBox(p)) - first;
             if (i == pattern.warp_count) break;

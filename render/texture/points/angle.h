@@ -17,8 +17,8 @@ inline constexpr double kTau = 2.0 * std::numbers::pi;
 template <class T>
 inline T turn(const T& x, const T& z)
 {
-    using csg::lanes::choose;
-    const T zero(0.0), a = numbers::acos(x / csg::lanes::root_of(x * x + z * z)) / T(kTau);
+    using numbers::lanes::choose;
+    const T zero(0.0), a = numbers::acos(x / numbers::lanes::root_of(x * x + z * z)) / T(kTau);
     return choose(z == zero, choose(x > zero, zero, T(0.5)), choose(z < zero, T(1.0) - a, a));
 }
 

@@ -10,8 +10,8 @@
 namespace texture {
 
 /// Points that go through the vector unit together.
-using csg::lanes::Double;
-inline constexpr std::size_t kLanes = static_cast<std::size_t>(csg::lanes::kDoubles);
+using numbers::lanes::Double;
+inline constexpr std::size_t kLanes = static_cast<std::size_t>(numbers::lanes::kDoubles);
 
 /// Of each.
 inline Double series_cycle(const Double& v)

@@ -155,17 +155,17 @@ TEST_CASE("powers of one number are those of lanes, and near the library's", "[c
     Rng rng(1);
     double worst = 0.0;
     for (int i = 0; i < 20000; ++i) {
-        alignas(64) std::array<double, static_cast<std::size_t>(lanes::kDoubles)> c, n, lane;
+        alignas(64) std::array<double, static_cast<std::size_t>(csg::lanes::kDoubles)> c, n, lane;
         for (std::size_t k = 0; k < c.size(); ++k) {
             c[k] = rng.coin() ? rng.uniform(0.0, 2.0) : std::exp(rng.uniform(-600.0, 0.0));
             if (c[k] == 0.0) c[k] = 1.0;
             n[k] = rng.coin() ? rng.uniform(0.0, 1.0) : rng.uniform(0.0, 50.0);
         }
-        lanes::power(lanes::Double::load_aligned(c.data()), lanes::Double::load_aligned(n.data()))
+        csg::lanes::power(csg::lanes::Double::load_aligned(c.data()), csg::lanes::Double::load_aligned(n.data()))
             .store_aligned(lane.data());
         for (std::size_t k = 0; k < c.size(); ++k) {
             INFO(c[k] << " ^ " << n[k]);
-            REQUIRE(same_number(lane[k], lanes::power(c[k], n[k])));
+            REQUIRE(same_number(lane[k], csg::lanes::power(c[k], n[k])));
             const double right = std::pow(c[k], n[k]);
             if (right < 1e-300) continue;
             // The exponent's last digit counts as often as the exponent is large.
@@ -173,9 +173,9 @@ TEST_CASE("powers of one number are those of lanes, and near the library's", "[c
         }
     }
     CHECK(worst < 6e-16);
-    CHECK(lanes::power(1.0, 3.7) == 1.0);
-    CHECK(lanes::power(0.5, 2.0) == 0.25);
-    CHECK(lanes::power(0.7, 0.0) == 1.0);
+    CHECK(csg::lanes::power(1.0, 3.7) == 1.0);
+    CHECK(csg::lanes::power(0.5, 2.0) == 0.25);
+    CHECK(csg::lanes::power(0.7, 0.0) == 1.0);
 }
 
 TEST_CASE("a superellipsoid that is surely met no more on the way off its surface is not met there",

@@ -64,7 +64,7 @@ int check_batch(double size, std::uint32_t seed, Many&& many_of, One&& one_of)
         const csg::Ray ray = rng.below(40) == 0 ? hostile_ray(rng) : ray_to(rng, size);
         const double length = glm::length(ray.direction),
                      from = rng.coin() ? 0.0 : rng.uniform(-2.0, 4.0) * size / length;
-        const double to = rng.coin() ? csg::kInfinity : from + rng.uniform(0.0, 5.0) * size / length;
+        const double to = rng.coin() ? numbers::kInfinity : from + rng.uniform(0.0, 5.0) * size / length;
         batch->add(ray, static_cast<std::size_t>(k), from, to, first_only);
     }
     const auto rays = batch->rays;

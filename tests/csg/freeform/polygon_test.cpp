@@ -54,7 +54,7 @@ TEST_CASE("a polygon holds what an odd number of its edges lies beside", "[csg][
                 const glm::dvec2 q{1.1 * unit(random), 1.1 * flat * unit(random)};
                 const std::optional<bool> wanted = odd(loops, q);
                 if (!wanted) continue;
-                csg::IntersectionList found(0.0, csg::kInfinity, false);
+                csg::IntersectionList found(0.0, numbers::kInfinity, false);
                 polygon.intersect({glm::dvec3(q, -1.0), glm::dvec3(0.0, 0.0, 1.0)}, found);
                 INFO(corners << " corners, " << flat << ", at " << q.x << ", " << q.y);
                 bool met = false;

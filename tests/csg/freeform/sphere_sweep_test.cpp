@@ -29,7 +29,7 @@ std::vector<double> ends_of(const SphereSweep& sweep, const Ray& ray, double fro
     return all;
 }
 
-std::vector<double> numbers(const std::string& text)
+std::vector<double> numbers_of(const std::string& text)
 {
     std::istringstream in(text);
     std::vector<double> all;
@@ -47,7 +47,7 @@ TEST_CASE("a ray shows the surfaces within a sphere sweep that POV-Ray shows", "
     constexpr double kClose = 2e-5;  // POV-Ray's roots, where a ray grazes
     int within = 0;
     for (const auto& row : test_support::csv_table(CSG_TEST_DATA "/sphere_sweep_within.csv")) {
-        const std::vector<double> wanted = numbers(row.at(8));
+        const std::vector<double> wanted = numbers_of(row.at(8));
         INFO(row[0] << row[1] << " from " << row[2] << ' ' << row[3] << ' ' << row[4] << ": " << row[8]);
         const auto spline = row[0] == "b"       ? SphereSweep::Spline::B
                             : row[0] == "cubic" ? SphereSweep::Spline::Cubic

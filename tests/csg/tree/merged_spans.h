@@ -25,7 +25,7 @@ public:
 
     csg::Crossing nearest(double t_min, double t_max)
     {
-        csg::Crossing best{.t = csg::kInfinity};
+        csg::Crossing best{.t = numbers::kInfinity};
         for (const csg::Crossing& c : crossings(t_min, t_max))
             if (c.t <= best.t) best = c;
         return best;
@@ -66,7 +66,7 @@ private:
             else if constexpr (std::is_same_v<T, csg::Triangle>) bounds = false;
             else if constexpr (std::is_same_v<T, csg::Freeform>) {
                 bounds = !solid.surface();
-                if (bounds) solid.spans(ray_, -csg::kInfinity, csg::kInfinity, plain);
+                if (bounds) solid.spans(ray_, -numbers::kInfinity, numbers::kInfinity, plain);
             } else csg::intersect(solid, ray_, plain);
         });
         if (turn && bounds) csg::complement(plain, turned);
@@ -106,7 +106,7 @@ private:
             if (csg::kind_of(node.solid) != csg::SolidKind::Mesh)
                 for (const csg::Span& span : leaf(node)) out.insert(out.end(), {span.in, span.out});
             if (node.draws_alone && (!out.empty() || csg::kind_of(node.solid) != csg::SolidKind::Torus))
-                csg::each_touch_of(store_, node.solid, ray_, -csg::kInfinity, csg::kInfinity,
+                csg::each_touch_of(store_, node.solid, ray_, -numbers::kInfinity, numbers::kInfinity,
                                    [&](double t, std::uint32_t face) {
                                        out.push_back({t, node.solid, face, node.normal_flipped, node.closed});
                                    });

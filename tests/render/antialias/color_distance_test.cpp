@@ -75,11 +75,11 @@ TEST_CASE("powers in lanes of single precision keep what they promise", "[render
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     double worst = 0.0;
     for (int i = 0; i < 20000; ++i) {
-        alignas(64) std::array<float, trace::kFloatPart> values;
+        alignas(64) std::array<float, numbers::lanes::kFloatPart> values;
         const double exponent = 0.05 + 2.95 * unit(random);
         for (float& v : values) v = static_cast<float>(std::exp(std::log(256.0) - unit(random) * std::log(256e30)));
-        const auto found = trace::float_power(trace::FloatPart::load_aligned(values.data()),
-                                              trace::FloatPart(static_cast<float>(exponent)));
+        const auto found = numbers::float_power(numbers::lanes::FloatPart::load_aligned(values.data()),
+                                                numbers::lanes::FloatPart(static_cast<float>(exponent)));
         for (std::size_t k = 0; k < values.size(); ++k) {
             const double wanted =
                 std::pow(static_cast<double>(values[k]), static_cast<double>(static_cast<float>(exponent)));

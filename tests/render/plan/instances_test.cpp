@@ -100,8 +100,8 @@ TEST_CASE("rays meet copies that share their parts where they meet copies that d
         const glm::dvec3 aim = glm::dvec3(random() % 30u, random() % 24u, 0) * 1.5 - 20.0 + 0.5 * direction();
         const csg::Ray ray{aim - 60.0 * direction(), {}};
         const csg::Ray at{ray.origin, glm::normalize(aim - ray.origin)};
-        const csg::Hit a = one.nearest(at, 1e-4, csg::kInfinity, 1, scratch),
-                       b = other.nearest(at, 1e-4, csg::kInfinity, 1, scratch);
+        const csg::Hit a = one.nearest(at, 1e-4, numbers::kInfinity, 1, scratch),
+                       b = other.nearest(at, 1e-4, numbers::kInfinity, 1, scratch);
         REQUIRE(a.found() == b.found());
         if (a.found()) {
             ++hits;

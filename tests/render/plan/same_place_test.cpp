@@ -72,7 +72,7 @@ csg::RayTile rays_to(const csg::Transform& frame, const glm::dvec3& eye, std::mt
     tile.common_origin = true;
     const glm::dvec3 from = frame.point(eye);
     for (std::size_t k = 0; k < csg::kTileRays; ++k)
-        tile.set(k, {from, glm::normalize(frame.point(place(random)) - from)}, 1e-4, csg::kInfinity);
+        tile.set(k, {from, glm::normalize(frame.point(place(random)) - from)}, 1e-4, numbers::kInfinity);
     return tile;
 }
 
@@ -85,7 +85,7 @@ void sees_one_object(Scene& scene, const csg::RayTile& tile)
     const csg::Hit first = hits.at(0);
     REQUIRE(first.found());
     for (int i = 0; i < tile.count; ++i) {
-        const csg::Hit one = world.nearest(tile.ray(i), 1e-4, csg::kInfinity, 1, scene.scratch);
+        const csg::Hit one = world.nearest(tile.ray(i), 1e-4, numbers::kInfinity, 1, scene.scratch);
         REQUIRE(one.found());
         REQUIRE(hits.at(i).t == one.t);
         REQUIRE(hits.at(i).surface == one.surface);

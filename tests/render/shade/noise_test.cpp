@@ -248,7 +248,9 @@ TEST_CASE("the nearest of scattered points are those of a search through all cel
                         cell + glm::dvec3(pattern_random(hash), pattern_random(hash + 1), pattern_random(hash + 2));
                     const glm::dvec3 d = glm::abs(p - at);
                     const auto raised = [metric](double v) {  // steep powers are those of numbers/functions
-                        return metric > 100.0 ? numbers::pow(v, metric) : v > 0.0 ? csg::lanes::power(v, metric) : 0.0;
+                        return metric > 100.0 ? numbers::pow(v, metric)
+                               : v > 0.0      ? numbers::lanes::power(v, metric)
+                                              : 0.0;
                     };
                     for (int k = 0; k < 3; ++k)
                         REQUIRE(std::abs(raised(d[k]) - std::pow(d[k], metric)) <= 1e-13 * std::pow(d[k], metric));

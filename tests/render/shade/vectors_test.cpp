@@ -126,8 +126,8 @@ TEST_CASE("normals agree with the measured ones", "[texture][normal]")
         set.patterns.push_back(compiled(statement.pattern, set));
         texture::Normal normal;
         normal.pattern = 0;
-        normal.amount = csg::single(statement.amount);
-        normal.accuracy = csg::single(statement.accuracy);
+        normal.amount = numbers::single(statement.amount);
+        normal.accuracy = numbers::single(statement.accuracy);
         set.normals.push_back(normal);
         texture::Surroundings around;
         const glm::dvec3 n = texture::perturb(set, 0, {0, 0, -1}, point(m), around);

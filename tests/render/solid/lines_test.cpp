@@ -80,7 +80,7 @@ TEST_CASE("many lines are told what each is told alone", "[solid]")
                 const glm::dvec3 along = narrow ? direction + 0.1 * vector() : vector();
                 const double from = at(random);
                 lines.add({narrow ? point + 0.1 * vector() : vector(), glm::normalize(along)},
-                          whole ? -csg::kInfinity : from, whole ? csg::kInfinity : from + 0.7);
+                          whole ? -numbers::kInfinity : from, whole ? numbers::kInfinity : from + 0.7);
             }
             body.lines().chords(lines, together);
             for (std::size_t k = 0; k < count; ++k) {
@@ -108,7 +108,7 @@ TEST_CASE("a short way through an isosurface is told what the whole is told, up 
         const glm::dvec3 point(at(random), at(random), at(random)), along(at(random), at(random), at(random));
         constexpr double kReach = 0.05, kAccuracy = 4e-6;
         const csg::Ray line{point, glm::normalize(along)};
-        body.lines().chords(line, -csg::kInfinity, csg::kInfinity, whole);
+        body.lines().chords(line, -numbers::kInfinity, numbers::kInfinity, whole);
         body.lines().chords(line, -kReach, kReach, part);
         const auto told = ends_within(part, -kReach, kReach), wanted = ends_within(whole, -kReach, kReach);
         REQUIRE(told.size() == wanted.size());

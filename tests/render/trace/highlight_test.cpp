@@ -28,9 +28,9 @@ TEST_CASE("powers in lanes are the library's", "[trace][highlight]")
             n[i] = static_cast<double>(static_cast<float>(std::exp2(16.0 * share(random) - 4.0)));
             c[i] = round % 2 ? share(random) : 1.0 - 30.0 * share(random) / std::max(n[i], 30.0);
         }
-        using csg::lanes::Double;
-        for (std::size_t i = 0; i < 64; i += csg::lanes::kDoubles)
-            csg::lanes::power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
+        using numbers::lanes::Double;
+        for (std::size_t i = 0; i < 64; i += numbers::lanes::kDoubles)
+            numbers::lanes::power(Double::load_aligned(&c[i]), Double::load_aligned(&n[i])).store_aligned(&out[i]);
         for (std::size_t i = 0; i < 64; ++i) {
             if (texture::highlight_vanishes(c[i], n[i])) continue;
             const double truth = std::pow(c[i], n[i]);

@@ -13,6 +13,8 @@
 
 // Built for several instruction sets: each has a way of its own.
 using namespace trace;
+using numbers::FloatMask;
+using numbers::lanes::FloatPart;
 
 TEST_CASE("random numbers of many points are those of each alone", "[lanes][random]")
 {
@@ -28,9 +30,9 @@ TEST_CASE("random numbers of many points are those of each alone", "[lanes][rand
         }
         const auto next = static_cast<std::uint32_t>(round % 3);
         const std::size_t count = 8 * (1 + static_cast<std::size_t>(round) % 8);
-        random_at(x.data(), y.data(), z.data(), purpose.data(), next, count, found.data());
+        numbers::random_at(x.data(), y.data(), z.data(), purpose.data(), next, count, found.data());
         for (std::size_t i = 0; i < count; ++i) {
-            const double alone = random_at({x[i], y[i], z[i]}, static_cast<std::uint32_t>(purpose[i]) + next);
+            const double alone = numbers::random_at({x[i], y[i], z[i]}, static_cast<std::uint32_t>(purpose[i]) + next);
             REQUIRE(std::bit_cast<std::uint64_t>(alone) == std::bit_cast<std::uint64_t>(found[i]));
         }
     }
@@ -38,12 +40,12 @@ TEST_CASE("random numbers of many points are those of each alone", "[lanes][rand
 
 TEST_CASE("Fresnel shares of many rays are those of each alone", "[lanes][fresnel]")
 {
-    using csg::lanes::Double;
+    using numbers::lanes::Double;
     std::mt19937_64 draw(3);
     std::uniform_real_distribution<double> number(0.0, 1.0);
     int beyond = 0;
     for (int round = 0; round < 20000; ++round) {
-        alignas(64) std::array<double, csg::lanes::kDoubles> eta, cosine, found;
+        alignas(64) std::array<double, numbers::lanes::kDoubles> eta, cosine, found;
         for (std::size_t i = 0; i < eta.size(); ++i) {
             eta[i] = round % 7 == 0 ? 1.0 : 0.3 + 2.0 * number(draw);
             cosine[i] = round % 5 == 0 ? 0.0 : round % 11 == 0 ? 1.0 : 1.1 * number(draw) - 0.05;

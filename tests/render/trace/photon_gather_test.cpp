@@ -28,7 +28,7 @@ TEST_CASE("photons are gathered alike alone and beside other points, few or many
             const glm::dvec3 middle = 3.0 * glm::dvec3(off(random), off(random), off(random));
             const double wide = std::pow(10.0, 2.0 * off(random) - 1.0);
             std::array<glm::dvec3, 24> points;
-            glm::dvec3 low(csg::kInfinity), high(-csg::kInfinity);
+            glm::dvec3 low(numbers::kInfinity), high(-numbers::kInfinity);
             for (glm::dvec3& point : points) {
                 point = middle + wide * glm::dvec3(off(random), off(random), off(random));
                 low = glm::min(low, point);
@@ -41,7 +41,8 @@ TEST_CASE("photons are gathered alike alone and beside other points, few or many
             for (const glm::dvec3& point : points) {
                 INFO(count << " photons, tile " << tile);
                 trace::NearPhotons alone_wider, alone;
-                const trace::PhotonReach all = map.reach(glm::dvec3(-csg::kInfinity), glm::dvec3(csg::kInfinity));
+                const trace::PhotonReach all =
+                    map.reach(glm::dvec3(-numbers::kInfinity), glm::dvec3(numbers::kInfinity));
                 map.gather(point, normal, all, alone_wider, alone);
                 map.gather(point, normal, reach, wider, found);
                 REQUIRE(found.found.size() == alone.found.size());

@@ -59,8 +59,8 @@ TEST_CASE("an interface bends light by Snell's law", "[subsurface]")
 
 TEST_CASE("what comes out of a material has the same bits in lanes", "[subsurface]")
 {
-    using csg::lanes::Double;
-    constexpr std::size_t kLanes = csg::lanes::kDoubles;
+    using numbers::lanes::Double;
+    constexpr std::size_t kLanes = numbers::lanes::kDoubles;
     alignas(64) std::array<double, kLanes> cosines, ways, dipole, once;
     for (const double eta : {0.7, 1.0, 1.5}) {
         const plan::AlbedoTable table(plan::internal_reflection(eta));
@@ -92,7 +92,7 @@ TEST_CASE("what is left of light is its exponential", "[subsurface]")
     for (const double depth : {0.0, 1e-9, 0.3, 1.0, 20.0, 650.0})
         CHECK(trace::left_at(depth) == Approx(std::exp(-depth)).epsilon(1e-14));
     CHECK(trace::left_at(1e9) < 1e-300);
-    CHECK(trace::left_at(csg::kInfinity) < 1e-300);
+    CHECK(trace::left_at(numbers::kInfinity) < 1e-300);
 }
 
 namespace {

@@ -78,7 +78,7 @@ csg::RayTile camera_tile(Rng& rng, double spread)
         tile.ox[k] = eye.x, tile.oy[k] = eye.y, tile.oz[k] = eye.z;
         tile.dx[k] = d.x, tile.dy[k] = d.y, tile.dz[k] = d.z;
         tile.t_min[k] = 1e-4;
-        tile.t_max[k] = rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : csg::kInfinity;
+        tile.t_max[k] = rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : numbers::kInfinity;
     }
     return tile;
 }
@@ -106,7 +106,7 @@ csg::RayTile scattered_tile(Rng& rng)
     for (std::size_t k = 0; k < static_cast<std::size_t>(tile.count); ++k) {
         csg::Ray ray = random_ray(rng);
         if (tile.common_origin) ray.origin = tile.ray(0).origin;
-        tile.set(k, ray, 1e-4, rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : csg::kInfinity);
+        tile.set(k, ray, 1e-4, rng.below(3) == 0 ? rng.uniform(1.0, 30.0) : numbers::kInfinity);
     }
     return tile;
 }
@@ -221,8 +221,8 @@ TEST_CASE("the hierarchy finds what a loop over all items finds", "[trace][world
         for (int i = 0; i < 400; ++i) {
             INFO("ray " << i);
             const csg::Ray ray = random_ray(rng);
-            check_same(world.nearest(ray, 1e-4, csg::kInfinity, kImage, scratch),
-                       by_force(data, ray, 1e-4, csg::kInfinity, scratch));
+            check_same(world.nearest(ray, 1e-4, numbers::kInfinity, kImage, scratch),
+                       by_force(data, ray, 1e-4, numbers::kInfinity, scratch));
             const double t_max = rng.uniform(0.5, 25.0);
             const csg::Shadow shadow = shadow_by_force(data, ray, 1e-3, t_max, scratch);
             REQUIRE(world.shadow(ray, 1e-3, t_max, scratch) == shadow);
@@ -304,7 +304,8 @@ TEST_CASE("of two surfaces in one place the first declared is seen", "[trace][wo
     }
     data.finish();
     csg::Scratch scratch;
-    CHECK(csg::World(data).nearest({{0.1, 0.2, -5}, {0, 0, 1}}, 1e-4, csg::kInfinity, kImage, scratch).surface == 0);
+    CHECK(csg::World(data).nearest({{0.1, 0.2, -5}, {0, 0, 1}}, 1e-4, numbers::kInfinity, kImage, scratch).surface ==
+          0);
 }
 
 TEST_CASE("a point is reported inside the objects that hold it", "[trace][world]")

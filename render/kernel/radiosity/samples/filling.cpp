@@ -20,7 +20,7 @@ void Filling::begin(const Field& field, const PassTile& tile)
         return;
     }
     for (std::size_t bounce = 0; bounce < next.size(); ++bounce) {
-        const std::uint64_t h = stirred((tile.seed + bounce + 1) * 0x9e3779b97f4a7c15u);
+        const std::uint64_t h = numbers::stirred((tile.seed + bounce + 1) * 0x9e3779b97f4a7c15u);
         // POV-Ray's samples begin at multiples of their number of rays.
         const auto rays = static_cast<std::uint64_t>(field.rules[bounce].rays),
                    pool = std::uint64_t{field.directions.size()};
