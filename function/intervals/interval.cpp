@@ -33,9 +33,8 @@ Interval internal_interval(std::uint32_t n, const Interval* a)
 void outer_interval(const SceneReference& what, const Interval* a, Interval* out)
 {
     std::fill(out, out + 5, Interval::everything());
-    if (const auto* t = std::get_if<csg::Transform>(&what)) {
-        for (int row = 0; row < 3; ++row)
-            out[row] = a[0] * t->linear[0][row] + a[1] * t->linear[1][row] + a[2] * t->linear[2][row] + t->offset[row];
+    if (const auto* moved = std::get_if<csg::Transform>(&what)) {
+        moved_ranges(*moved, a, out);
     } else if (const auto* use = std::get_if<SceneUse>(&what); use && use->kind == SceneUse::Kind::Pattern) {
         out[0].low = 0.0;  // patterns are folded to above 0
     }

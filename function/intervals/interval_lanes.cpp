@@ -241,6 +241,19 @@ struct Rules<EightIntervals> {
 
     static void outer(const SceneReference& what, const EightIntervals* a, const Host&, EightIntervals* out)
     {
+        if (const auto* moved = std::get_if<csg::Transform>(&what)) {
+            for (std::size_t i = 0; i < kLanes; i += kWidth) {
+                const Ends from[] = {ends(a[0], i), ends(a[1], i), ends(a[2], i)};
+                Ends to[3];
+                moved_ranges(*moved, from, to);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    to[k].low.store_aligned(out[k].low + i);
+                    to[k].high.store_aligned(out[k].high + i);
+                }
+            }
+            for (std::size_t k = 3; k < 5; ++k) out[k] = each_lane([](std::size_t) { return Interval::everything(); });
+            return;
+        }
         const std::size_t count = std::holds_alternative<std::shared_ptr<const Spline>>(what) ? 1 : 3;
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             Interval one[3], found[5];
