@@ -2,7 +2,7 @@
 
 #include "numbers/infinity.h"
 
-/// All of csg is written in the words of the numbers floor: numbers, lanes of them, their roots.
+/// Makes the names of numbers/ names of csg too, which uses them throughout.
 namespace numbers::lanes {}
 namespace numbers::detail {}
 

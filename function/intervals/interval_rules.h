@@ -16,7 +16,7 @@ inline bool branch_possible(const Interval& c, std::size_t count, std::size_t k)
     return k == 1 ? c.contains(0.0) : c.high > 0.0;
 }
 
-/// The ranges of the coordinates of points that a transformation moves. I is Interval or Ends.
+/// The ranges of the coordinates of transformed points. I is Interval or Ends.
 template <class I>
 inline void moved_ranges(const csg::Transform& by, const I* a, I* out)
 {

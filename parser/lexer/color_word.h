@@ -4,9 +4,9 @@
 
 namespace parser {
 
-/// What a keyword of a colour takes (reference manual: Color Keywords).
+/// The numbers that a colour keyword takes (reference manual: Color Keywords).
 struct ColorWord {
-    int components = 0;      ///< 3 to 5 numbers; 0: the keyword is none of a colour
+    int components = 0;      ///< 3 to 5; 0: it is no colour keyword
     bool transmits = false;  ///< the fourth number is transmit, not filter
     bool encoded = false;    ///< red, green and blue are sRGB's
 };

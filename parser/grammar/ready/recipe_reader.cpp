@@ -24,12 +24,8 @@ bool tells_the_same(Kind kind)
     case Kind::FileExists:
     case Kind::Function:
     case Kind::Object:
-    case Kind::Local:
-    case Kind::Srgb:
-    case Kind::Srgbf:
-    case Kind::Srgbt:
-    case Kind::Srgbft: return false;
-    default: return true;
+    case Kind::Local: return false;
+    default: return !color_word(kind).encoded;
     }
 }
 

@@ -18,8 +18,7 @@ constexpr std::chrono::milliseconds kGrace{250};
 
 LastResort::LastResort(Cancellation& cancel, std::function<void()> save) : cancel_(cancel), save_(std::move(save))
 {
-    // Not std::thread, which frees its work in the thread: malloc would make an arena for that, in runs of
-    // milliseconds.
+    // Not std::thread: it frees memory in the new thread, for which malloc first maps an arena.
     const int failed = pthread_create(&thread_, nullptr, start, this);
     if (failed != 0) throw std::system_error(failed, std::generic_category(), "cannot start a thread");
     cancel_.heeded = true;
