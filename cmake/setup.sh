@@ -63,21 +63,22 @@ install_packages() {
     printf %s "$wanted" >"$stamp"
 }
 
-# kernels_for HAD KIND: those to build, by level of x86-64: all of them; for ./check (`runnable`) those that this processor runs, since
-# no test sees the others; for ./run (`own`) the best of these, or those that are configured already.
+# kernels_for HAD KIND: those to build, by level of x86-64: all of them; those that this processor runs, since no test sees the others
+# (`runnable`); the least and the best of these (`tested`, for ./check); the best (`own`, for ./run). Those that are configured already
+# stay where they serve.
 kernels_for() {
-    local had=$1 levels
-    [[ -n $2 ]] || { echo "v2;v3;v4"; return; }
-    [[ $2 != own || -z $had ]] || { echo "$had"; return; }
+    local had=$1 levels wanted
     levels=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort)
     levels=${levels:-v2}
-    if [[ $2 == own ]]; then
-        echo "${levels##*$'\n'}"
-    elif [[ $had == "v2;v3;v4" ]]; then
-        echo "$had"
-    else
-        echo "${levels//$'\n'/;}"
-    fi
+    case $2 in
+    own) wanted=${had:-${levels##*$'\n'}} ;;
+    tested) wanted=$(sed -n '1p;$p' <<<"$levels" | uniq) ;;
+    runnable) wanted=$levels ;;
+    *) wanted="v2;v3;v4" ;;
+    esac
+    wanted=${wanted//$'\n'/;}
+    # In order, so that all of them with others between match too.
+    if [[ $had == *${wanted//;/*}* ]]; then echo "$had"; else echo "$wanted"; fi
 }
 
 # configure PRESET: when packages came since the last time (Ninja itself does when a CMake file changed). Afresh, for the compiler

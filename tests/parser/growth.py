@@ -194,7 +194,7 @@ def instructions(whittle, text):
         body = text(folder) if callable(text) else text
         (folder / "growth.pov").write_text(HEAD + body + "\ncamera { location <0,0,-1e7> look_at 0 }\n")
         command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", whittle, "+Igrowth.pov", "+Ogrowth.png", "+W4", "+H3", "-A",
-                   "-D", "+WT1", "--isa=v3", "--quiet", "+L/usr/share/povray-3.7/include"]
+                   "-D", "+WT1", "--isa=v2", "--quiet", "+L/usr/share/povray-3.7/include"]
         run = subprocess.run(command, capture_output=True, text=True, cwd=folder)
     found = re.search(r"Collected : (\d+)", run.stderr)
     if run.returncode != 0 or not found:

@@ -1,5 +1,5 @@
 #include "parser/parse.h"
-#include "parser/stream/messages.h"
+#include "parser/stream/texts/quoted_text.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
