@@ -1,5 +1,5 @@
 #include "parser/base/nearest.h"
-#include "parser/stream/messages.h"
+#include "parser/stream/texts/quoted_text.h"
 #include "parser/stream/token_stream.h"
 
 #include <fmt/format.h>
@@ -7,20 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-/// Places of tokens, and what a TokenStream says about them: errors, warnings, and how a place was reached.
+/// What a TokenStream says about places: errors, warnings, and how a place was reached.
 namespace parser {
-
-scene::SourceRef TokenStream::place(const Token& token) const
-{
-    if (token.file >= files_.size()) return {};
-    return {token.file, token.offset};
-}
-
-scene::LineAndColumn TokenStream::line_and_column(const scene::SourceRef& at) const
-{
-    if (at.file >= files_.size() || !at.somewhere()) return {};
-    return files_[at.file]->locate(at.offset);
-}
 
 scene::SourceRef TokenStream::here() { return place(peek()); }
 
@@ -43,14 +31,6 @@ std::string TokenStream::where_opened(std::string_view what, const scene::Source
 void TokenStream::expect_closing(std::string_view what, std::string_view block, const scene::SourceRef& brace)
 {
     if (!accept(Kind::RightBrace)) fail_expected(what, where_opened(block, brace));
-}
-
-scene::Message TokenStream::message(Severity severity, const scene::SourceRef& at, std::string_view text) const
-{
-    Message out{severity, std::string(text), {}, {}, {}, at};
-    if (at.file >= files_.size()) return out;
-    out.place = {files_[at.file]->path, line_and_column(at)};
-    return out;
 }
 
 scene::Message TokenStream::located(Severity severity, const scene::SourceRef& at, std::string_view text) const

@@ -7,6 +7,7 @@
 #include "parser/stream/language_state.h"
 #include "parser/stream/reading_profile.h"
 #include "parser/stream/reading_state.h"
+#include "parser/stream/texts/source_texts.h"
 #include "parser/stream/values/random_undo.h"
 #include "parser/stream/values/symbols.h"
 #include "render/files/read_files.h"
@@ -27,7 +28,7 @@ class Runner;
 }
 
 /// Executes directives and macro calls and hands on plain tokens, one token of look-ahead.
-class TokenStream {
+class TokenStream : public SourceTexts {
 public:
     TokenStream(const Options& options, GrammarHooks& hooks, MessageSink sink = nullptr, void* sink_context = nullptr);
     ~TokenStream();
@@ -84,14 +85,6 @@ public:
     // ---- places and messages ---------------------------------------------------------------------------------
     scene::SourceRef here();        ///< of the token that peek() shows
     scene::SourceRef last() const;  ///< of the token taken last
-    scene::SourceRef start() const { return place(files_.front()->tokens.front()); }  ///< of the scene's first token
-    scene::SourceRef end_of_scene() const  ///< of the scene's last token, however the text before it was read
-    {
-        const std::vector<Token>& all = files_.front()->tokens;
-        return place(all[all.size() < 2 ? 0 : all.size() - 2]);
-    }
-    scene::SourceRef place(const Token& token) const;
-    scene::LineAndColumn line_and_column(const scene::SourceRef& at) const;  ///< for messages
     const Token& taken_last() const { return *last_; }
     [[noreturn]] void fail(const scene::SourceRef& at, std::string_view text);
     /// "expected <what>, found '<peek()>'" at peek(), and what else there is to say.
@@ -127,22 +120,6 @@ public:
     /// Calls read() while the stream yields the tokens [begin, end) of a file instead, then puts its position back.
     template <class Read>
     void read_again(const Token* begin, const Token* end, Read&& read);
-    /// The values of a Faces or Numbers token and all that were read after it.
-    std::span<const double> values_from(const Token& token) const
-    {
-        return std::span(files_[token.file]->numbers).subspan(token.name);
-    }
-    /// The values of a Numbers token.
-    std::span<const double> values_of(const Token& numbers) const
-    {
-        return values_from(numbers).first(numbers.jump * static_cast<std::size_t>(numbers.number));
-    }
-    /// The rest of the file, from the token on. Nothing if the file is not what it was when it was read.
-    std::string text_from(const Token& token) const
-    {
-        const std::string& text = files_[token.file]->whole_text();
-        return token.offset < text.size() ? text.substr(token.offset) : std::string();
-    }
     /// Raw string token -> text (escapes resolved, characters as the charset says); `path`: backslashes stay.
     std::string string_text(const Token& token, bool path);
 
@@ -150,8 +127,6 @@ public:
     const Options& options() const { return options_; }
     GrammarHooks& hooks() { return hooks_; }
     std::vector<std::uint32_t>& random_streams() { return random_streams_; }
-    std::vector<std::string> files() const;       ///< paths in order of SourceRef::file
-    std::vector<scene::LineTable> lines() const;  ///< by file
     std::vector<Message>& messages() { return messages_; }
     const Statistics& statistics() const { return statistics_; }
     std::vector<ReadingCost> reading_costs(std::size_t most);  ///< up to now
@@ -286,7 +261,6 @@ private:
     void execute_directive();  ///< the cursor stands behind a Hash
     bool execute(Kind word, std::uint32_t hash);
     [[noreturn]] void fail_bad(const Token& token);
-    std::string line_of(const Token& token) const { return line_of(place(token)); }
     [[noreturn]] void fail_expected_at(const Token& found, std::string_view what, std::string_view more = "");
     std::string line_of(
         const scene::SourceRef& at) const;  ///< "line 3", or "line 3 of x.inc" if the text that is read is another
@@ -365,9 +339,7 @@ private:
     std::uint16_t load(const std::string& path, std::string text, bool main_text, std::string_view elsewhere = {});
     void open_main(std::uint16_t file, const std::string& path);
     void predefine();
-    /// A message with its place alone.
-    scene::Message message(Severity severity, const scene::SourceRef& at, std::string_view text) const;
-    /// The same with the source line and how it was reached.
+    /// message() with the source line and how it was reached.
     scene::Message located(Severity severity, const scene::SourceRef& at, std::string_view text) const;
     void warn_as_written(const scene::SourceRef& at, const std::string& text);
     void report(scene::Message message);
@@ -388,7 +360,6 @@ private:
     MessageSink sink_;
     void* sink_context_;
     Names names_;
-    std::vector<std::unique_ptr<SourceFile>> files_;
     std::unordered_map<std::string, std::uint16_t> loaded_;
     /// By what #include calls it and the file that includes; forgotten when a file is opened.
     std::unordered_map<std::string, std::uint16_t> included_;

@@ -89,7 +89,7 @@ bool takes_hierarchy(const scene::Object& object)
     return ask(object, []<class Solid>(const Solid&) { return scene::TakesHierarchy<Solid>; });
 }
 
-bool forgets_inverse(const scene::Object& object)
+bool kind_forgets_inverse(const scene::Object& object)
 {
     return ask(object, []<class Solid>(const Solid&) { return scene::ForgetsInverse<Solid>; });
 }

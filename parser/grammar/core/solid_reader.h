@@ -83,7 +83,7 @@ Form solid_form(Kind keyword, Form head);
 // ignored.
 bool takes_sturm(const scene::Object& object);
 bool takes_hierarchy(const scene::Object& object);
-bool forgets_inverse(const scene::Object& object);
+bool kind_forgets_inverse(const scene::Object& object);
 
 /// Points of an outline nearer than this are the same, as where it closes.
 inline constexpr double kSamePoint = 1e-10;

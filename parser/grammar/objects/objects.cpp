@@ -162,7 +162,7 @@ void read_written(SceneBuilder& build, Kind keyword, scene::Object& object)
         read_modifiers(build, object);
         object.flags.unclipped_box = keyword == Kind::Blob || keyword == Kind::JuliaFractal ||
                                      keyword == Kind::HeightField;
-        if (forgets_inverse(object) && build.stream().povray() == scene::PovRay::V37) {
+        if (kind_forgets_inverse(object) && build.stream().povray() == scene::PovRay::V37) {
             object.inverse = false;
             object.forgets_inverse = true;
         }

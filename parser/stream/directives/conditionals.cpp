@@ -143,7 +143,7 @@ void TokenStream::else_branch(std::uint32_t hash)
     const Block& open = blocks_.back();
     const BlockKind kind = open.kind;
     if (kind == BlockKind::If && files_[open.file]->tokens[open.branch + 1].kind == Kind::Else)
-        fail(last(), "this #if has its #else already, in " + line_of(files_[open.file]->tokens[open.branch]));
+        fail(last(), "this #if has its #else already, in " + line_of(place(files_[open.file]->tokens[open.branch])));
     blocks_.back() = block(kind, hash);
     if (kind == BlockKind::If) skip_to_end();  // the branch before it was the true one
 }

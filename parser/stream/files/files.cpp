@@ -4,7 +4,7 @@
 #include "parser/stream/files/file_policy.h"
 #include "parser/stream/files/mapped_text.h"
 #include "parser/stream/limits.h"
-#include "parser/stream/messages.h"
+#include "parser/stream/texts/quoted_text.h"
 #include "parser/stream/text.h"
 #include "parser/stream/token_stream.h"
 #include "render/files/whole_file.h"
@@ -128,20 +128,6 @@ void TokenStream::predefine()
     set("clock_delta", options_.clock_delta);
     for (const auto& [name, value] : options_.declared_numbers) set(name.c_str(), value);
     for (const auto& [name, text] : options_.declared_strings) *symbols_.global(names_.intern(name)) = text;
-}
-
-std::vector<std::string> TokenStream::files() const
-{
-    std::vector<std::string> paths;
-    for (const auto& source : files_) paths.push_back(source->path);
-    return paths;
-}
-
-std::vector<scene::LineTable> TokenStream::lines() const
-{
-    std::vector<scene::LineTable> all;
-    for (const auto& source : files_) all.push_back(source->lines());
-    return all;
 }
 
 std::string TokenStream::find_file(const std::string& name, const std::vector<std::string>& extensions) const

@@ -1,4 +1,4 @@
-#include "parser/stream/messages.h"
+#include "parser/stream/texts/quoted_text.h"
 
 #include <algorithm>
 
