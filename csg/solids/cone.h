@@ -1,7 +1,7 @@
 #pragma once
 
 #include "csg/solids/shared/slab.h"
-#include "csg/solids/cylinder.h"
+#include "csg/solids/shared/tube.h"
 
 namespace csg {
 
@@ -45,20 +45,15 @@ struct Cone {
     template <class P>
     lanes::TruthOf<P> contains(const P& p) const
     {
-        return open ? grown(p, Cylinder::kSkin) : grown(p, -Cylinder::kSkin);
+        const P l = lanes::into(frame, p);
+        return within_tube(l, lanes::NumberOf<P>(lanes::size_of(l.z) + skin(open)), low, skin(open));
     }
     template <class P>
     lanes::TruthOf<P> contains_inverted(const P& p) const
     {
         return !contains(p);
     }
-    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
-    {
-        if (face == kLowEnd || face == kHighEnd)
-            return unit_or_x(frame.normal({0.0, 0.0, face == kLowEnd ? -1.0 : 1.0}));
-        const glm::dvec3 local = frame.inverse_point(p);
-        return unit_or_x(frame.normal({local.x, local.y, -local.z}));
-    }
+    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const { return tube_normal(frame, p, face, -1.0); }
     Aabb bounds() const;
 
     /// Up to two intervals, in order: what the quadric's inside and the slab low <= z <= 1 have in common.
@@ -118,15 +113,6 @@ struct Cone {
     /// radius to use in `cylinder_radius`.
     static bool make(const glm::dvec3& first, double first_radius, const glm::dvec3& second, double second_radius,
                      bool open, const Transform& t, Cone& out, double& cylinder_radius);
-
-private:
-    template <class P>
-    lanes::TruthOf<P> grown(const P& p, double by) const
-    {
-        const P l = lanes::into(frame, p);
-        const auto rim = lanes::size_of(l.z) + by;
-        return (rim > 0.0) & (l.x * l.x + l.y * l.y < rim * rim) & (l.z > low - by) & (l.z < 1.0 + by);
-    }
 };
 
 }  // namespace csg

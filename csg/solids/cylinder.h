@@ -41,20 +41,14 @@ struct Cylinder {
     template <class P>
     lanes::TruthOf<P> contains(const P& p) const
     {
-        return open ? grown(p, kSkin) : grown(p, -kSkin);
+        return within_tube(lanes::into(frame, p), lanes::NumberOf<P>(1.0 + skin(open)), 0.0, skin(open));
     }
     template <class P>
     lanes::TruthOf<P> contains_inverted(const P& p) const
     {
         return !contains(p);
     }
-    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const
-    {
-        if (face == kLowEnd || face == kHighEnd)
-            return unit_or_x(frame.normal({0.0, 0.0, face == kLowEnd ? -1.0 : 1.0}));
-        const glm::dvec3 local = frame.inverse_point(p);
-        return unit_or_x(frame.normal({local.x, local.y, 0.0}));
-    }
+    glm::dvec3 normal(const glm::dvec3& p, std::uint32_t face) const { return tube_normal(frame, p, face, 0.0); }
     Aabb bounds() const;
 
     /// POV-Ray's frame: base at the second point, z toward the first. The points must differ.
@@ -63,17 +57,6 @@ struct Cylinder {
 
     /// Square of a direction across the axis that is none: the side lies beyond any distance.
     static constexpr double kAlong = 1e-300;
-    /// Slack of POV-Ray's own inside test, in units of the canonical frame (spec 5a, 2.4).
-    static constexpr double kSkin = 1e-10;
-
-private:
-    template <class P>
-    lanes::TruthOf<P> grown(const P& p, double by) const
-    {
-        const P l = lanes::into(frame, p);
-        const double rim = 1.0 + by;
-        return (l.x * l.x + l.y * l.y < rim * rim) & (l.z > -by) & (l.z < 1.0 + by);
-    }
 };
 
 }  // namespace csg

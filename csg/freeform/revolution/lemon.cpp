@@ -1,11 +1,9 @@
 #include "csg/freeform/revolution/lemon.h"
 
-#include "csg/freeform/revolution/axis_rays.h"
+#include "csg/freeform/shared/convex_ends.h"
 #include "csg/solids/shared/common.h"
 #include "csg/solids/shared/tube.h"
 #include "numbers/functions/functions.h"
-
-#include <bit>
 
 namespace csg {
 
@@ -41,28 +39,6 @@ void Lemon::beyond(const P& o, const P& d, const V& t, V& value, V& slope) const
     slope = V(2.0) * (outwards + V(offset_) * along + (z - V(middle_)) * d.z);
 }
 
-/// Moves an end that lies beyond the arc onto it. Newton's steps never pass the nearest root of a convex function.
-template <class P, class V>
-void Lemon::approach(const P& o, const P& d, double way, V& end, const V& other, V& face, lanes::Truth<V>& met) const
-{
-    constexpr double kClose = 1e-13;  // of the solid's size: so small a step has squared the error before it
-    const V close(kClose * (widest_ + height_));
-    lanes::Truth<V> moving = met;
-    for (int i = 0; i < 100; ++i) {
-        V value, slope;
-        beyond(o, d, end, value, slope);
-        moving = moving & (value > V(0.0));
-        if (lanes::mask(moving) == 0) return;
-        face = lanes::choose(moving, V(kSide), face);
-        const V step = lanes::negated(value) / slope, next = end + step;
-        const lanes::Truth<V> nears = (slope * V(way) < V(0.0)) & !((other - next) * V(way) < V(0.0));
-        met = met & (nears | !moving);
-        moving = moving & nears;
-        end = lanes::choose(moving, next, end);
-        moving = moving & (lanes::size_of(step) > close);
-    }
-}
-
 /// The part of a ray, or of a ray a lane, that lies inside.
 template <class P>
 lanes::TruthOf<P> Lemon::inside_of(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const
@@ -81,9 +57,13 @@ lanes::TruthOf<P> Lemon::inside_of(const P& origin, const P& way, EndsOf<lanes::
     name_ends(open_, out);
     met = met & narrow(out, {lanes::negated(half), half, V(kSide), V(kSide)});
     if (lanes::mask(met) == 0) return met;
-    approach(o, d, 1.0, out.entry, out.exit, out.entry_face, met);
+    const auto surface = [&](const V& t, V& value, V& slope) { beyond(o, d, t, value, slope); };
+    const double close = 1e-13 * (widest_ + height_);
+    const auto enters = move_onto_convex(surface, 1.0, out.entry, out.exit, close, met);
     if (lanes::mask(met) == 0) return met;
-    approach(o, d, -1.0, out.exit, out.entry, out.exit_face, met);
+    const auto leaves = move_onto_convex(surface, -1.0, out.exit, out.entry, close, met);
+    out.entry_face = lanes::choose(enters, V(kSide), out.entry_face);
+    out.exit_face = lanes::choose(leaves, V(kSide), out.exit_face);
     out.entry = (shift + out.entry) * inverse;
     out.exit = (shift + out.exit) * inverse;
     return met & (out.entry <= out.exit);
@@ -99,23 +79,9 @@ void Lemon::intersect(const Ray& ray, IntersectionList& out) const
 
 void Lemon::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
 {
-    using Double = lanes::Double;
-    const LocalRays local(rays);
-    for (std::size_t at = 0; at < rays.size(); at += AxisRays::kWide) {
-        const std::size_t count = std::min(AxisRays::kWide, rays.size() - at);
-        EndsOf<Double> ends{};
-        std::uint32_t met = lanes::mask(inside_of(local.origins(at), local.ways(at), ends)) & ((1u << count) - 1u);
-        alignas(64) std::array<double, AxisRays::kWide> entry, exit, entry_face, exit_face;
-        lanes::store(ends.entry, entry.data());
-        lanes::store(ends.exit, exit.data());
-        lanes::store(ends.entry_face, entry_face.data());
-        lanes::store(ends.exit_face, exit_face.data());
-        for (; met != 0; met &= met - 1) {
-            const auto k = static_cast<std::size_t>(std::countr_zero(met));
-            if (out[at + k].enter(entry[k], static_cast<std::uint32_t>(entry_face[k])))
-                out[at + k].leave(exit[k], static_cast<std::uint32_t>(exit_face[k]));
-        }
-    }
+    convex_in_lanes(rays, out,
+                    [this](const lanes::Points& origins, const lanes::Points& ways, std::size_t,
+                           EndsOf<lanes::Double>& ends) { return inside_of(origins, ways, ends); });
 }
 
 bool Lemon::contains(const glm::dvec3& p) const

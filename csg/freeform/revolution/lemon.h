@@ -33,8 +33,6 @@ private:
     lanes::TruthOf<P> inside_of(const P& origin, const P& way, EndsOf<lanes::NumberOf<P>>& out) const;
     template <class P, class V>
     void beyond(const P& o, const P& d, const V& t, V& value, V& slope) const;
-    template <class P, class V>
-    void approach(const P& o, const P& d, double way, V& end, const V& other, V& face, lanes::Truth<V>& met) const;
     Aabb space() const;
 
     Transform frame_;  ///< from its own space: the axis is z, the middle between the ends is the origin

@@ -1,7 +1,7 @@
 #include "csg/freeform/revolution/ovus.h"
 
+#include "csg/freeform/shared/convex_ends.h"
 #include "csg/solids/shared/common.h"
-#include "csg/solids/shared/slab.h"
 #include "numbers/functions/functions.h"
 
 #include <algorithm>
@@ -11,19 +11,21 @@
 namespace csg {
 namespace {
 
-/// The ray's part in a sphere, cut to [from, to].
-bool in_sphere(const glm::dvec3& o, const glm::dvec3& e, const glm::dvec3& center, double radius, double& from,
-               double& to)
+constexpr double kClose = 1e-12;  // of the arc's radius: the last step of a search
+
+/// The ray's part in a sphere about a place of the axis, cut to [from, to].
+template <class P, class V>
+lanes::Truth<V> in_sphere(const P& o, const P& e, double height, double radius, V& from, V& to)
 {
-    const glm::dvec3 off = o - center;
-    const double shift = -glm::dot(off, e);
-    const glm::dvec3 foot = off + shift * e;
-    const double room = radius * radius - glm::dot(foot, foot);
-    if (!(room > 0.0)) return false;
-    const double half = std::sqrt(room);
-    from = glm::max(from, shift - half);
-    to = glm::min(to, shift + half);
-    return from <= to;
+    const P off{o.x, o.y - V(height), o.z};
+    const V shift = lanes::negated(lanes::dot(off, e));
+    const P foot = lanes::advanced(off, shift, e);
+    const V room = V(radius * radius) - lanes::dot(foot, foot);
+    const lanes::Truth<V> met = room > V(0.0);
+    const V half = lanes::root_of(lanes::choose(met, room, V(0.0)));
+    from = lanes::larger(from, shift - half);
+    to = lanes::smaller(to, shift + half);
+    return met & (from <= to);
 }
 
 }  // namespace
@@ -60,32 +62,38 @@ Ovus::Ovus(double bottom, double top, double distance, double arc)
     high_ = distance + (distance - height_) * top / t;
 }
 
-/// How far a point at parameter s lies outside of the arc, rho + offset - sqrt(arc^2 - (y - height)^2), is a convex
-/// function of s: Newton's steps from either end never pass the nearest root. Without `both`, `to` is not cut.
-bool Ovus::between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const
+/// A ray from near the egg's middle, at unit speed.
+template <class P>
+struct Ovus::Course {
+    lanes::NumberOf<P> length, shift;
+    P o, e;
+    lanes::TruthOf<P> valid;
+
+    auto world(const lanes::NumberOf<P>& s) const { return (shift + s) / length; }
+};
+
+template <class P>
+Ovus::Course<P> Ovus::course(const P& origin, const P& way) const
 {
-    const auto outside = [&](double s, double& slope) {
-        const glm::dvec3 p = o + s * e;
-        const double rho = std::sqrt(p.x * p.x + p.z * p.z), up = p.y - height_;
-        const double width = std::sqrt(glm::max((arc_ - up) * (arc_ + up), 0.0));
-        slope = (rho > 0.0 ? (p.x * e.x + p.z * e.z) / rho : 0.0) + (width > 0.0 ? up * e.y / width : 0.0);
-        return rho + offset_ - width;
-    };
-    constexpr double kClose = 1e-12;  // of the arc's radius: so small a step has squared the error before it
-    const auto approach = [&](double& s, double end, double way) {
-        for (int i = 0; i < 100; ++i) {
-            double slope = 0.0;
-            const double value = outside(s, slope);
-            if (value <= 0.0) return true;
-            if (!(way * slope < 0.0)) return false;
-            const double step = -value / slope;
-            s += step;
-            if (way * (end - s) < 0.0) return false;
-            if (std::abs(step) <= kClose * arc_) return true;
-        }
-        return true;
-    };
-    return approach(from, to, 1.0) && (!both || approach(to, from, -1.0));
+    using V = lanes::NumberOf<P>;
+    const V length = lanes::root_of(lanes::dot(way, way));
+    const P e{way.x / length, way.y / length, way.z / length};
+    const V shift = lanes::negated(lanes::dot(P{origin.x, origin.y - V(0.5 * distance_), origin.z}, e));
+    const lanes::TruthOf<P> valid = (length > V(0.0)) & (length < V(kInfinity));
+    return {length, shift, lanes::advanced(origin, shift, e), e, valid};
+}
+
+/// How far a point at parameter s lies outside of the arc, rho + offset - sqrt(arc^2 - (y - height)^2): a convex
+/// function of s.
+template <class P, class V>
+void Ovus::beyond(const P& o, const P& e, const V& s, V& value, V& slope) const
+{
+    const V x = o.x + s * e.x, z = o.z + s * e.z, up = o.y + s * e.y - V(height_), zero(0.0);
+    const V rho = lanes::root_of(x * x + z * z);
+    const V width = lanes::root_of(lanes::larger((V(arc_) - up) * (V(arc_) + up), zero));
+    slope = lanes::choose(rho > zero, (x * e.x + z * e.z) / rho, zero) +
+            lanes::choose(width > zero, up * e.y / width, zero);
+    value = rho + V(offset_) - width;
 }
 
 /// Where the arc begins on the axis.
@@ -93,14 +101,16 @@ double Ovus::tip() const { return height_ - std::sqrt((arc_ - offset_) * (arc_ +
 
 /// What the spheres and the arc hold together; crossings that are drawn though one of the others holds them bound
 /// nothing.
-void Ovus::intersect_stepped(const glm::dvec3& o, const glm::dvec3& e, double shift, double length,
-                             IntersectionList& out) const
+void Ovus::intersect_stepped(const Ray& ray, IntersectionList& out) const
 {
+    const Course<glm::dvec3> course = this->course(ray.origin, ray.direction);
+    if (!course.valid) return;
+    const glm::dvec3 &o = course.o, &e = course.e;
     std::array<Interval, 3> parts;
     std::size_t count = 0;
     const auto ball = [&](double middle, double radius, auto&& face_at) {
         double from = -kInfinity, to = kInfinity;
-        if (in_sphere(o, e, {0.0, middle, 0.0}, radius, from, to))
+        if (in_sphere(o, e, middle, radius, from, to))
             parts[count++] = {from, to, face_at(o.y + from * e.y), face_at(o.y + to * e.y)};
     };
     ball(0.0, bottom_, [&](double y) { return y < low_ ? kBelow : kUndrawnFace; });
@@ -108,15 +118,18 @@ void Ovus::intersect_stepped(const glm::dvec3& o, const glm::dvec3& e, double sh
     Interval zone;
     double from = -kInfinity, to = kInfinity;
     if (slab(o.y, e.y, glm::max(low_, tip()), high_, zone) &&
-        in_sphere(o, e, {0.0, 0.5 * distance_, 0.0}, bottom_ + 0.5 * distance_ + top_, from, to)) {
-        const double begin = glm::max(zone.entry, from), end = glm::min(zone.exit, to);
+        in_sphere(o, e, 0.5 * distance_, bottom_ + 0.5 * distance_ + top_, from, to)) {
+        const double begin = glm::max(zone.entry, from), end = glm::min(zone.exit, to), close = kClose * arc_;
         double in = begin, leave = end;
-        if (begin <= end && between(o, e, in, leave, true))
+        const auto arc = [&](double s, double& value, double& slope) { beyond(o, e, s, value, slope); };
+        bool met = begin <= end;
+        if (met) move_onto_convex(arc, 1.0, in, leave, close, met);
+        if (met) move_onto_convex(arc, -1.0, leave, in, close, met);
+        if (met)
             parts[count++] = {in, leave, in > begin ? kBetween : kUndrawnFace, leave < end ? kBetween : kUndrawnFace};
     }
     std::sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
               [](const Interval& a, const Interval& b) { return a.entry < b.entry; });
-    const auto world = [&](double s) { return (shift + s) / length; };
     const double slack = 1e-12 * arc_;  // two that touch are one
     for (std::size_t i = 0; i < count;) {
         Interval all = parts[i];
@@ -126,49 +139,90 @@ void Ovus::intersect_stepped(const glm::dvec3& o, const glm::dvec3& e, double sh
                 std::swap(next.exit, all.exit);
                 std::swap(next.exit_face, all.exit_face);
             }
-            out.touch(world(next.entry), next.entry_face);
-            out.touch(world(next.exit), next.exit_face);
+            out.touch(course.world(next.entry), next.entry_face);
+            out.touch(course.world(next.exit), next.exit_face);
         }
-        if (!out.enter(world(all.entry), all.entry_face) || !out.leave(world(all.exit), all.exit_face)) return;
+        if (!out.enter(course.world(all.entry), all.entry_face) || !out.leave(course.world(all.exit), all.exit_face))
+            return;
     }
+}
+
+/// The part of a ray, or of a ray a lane, that lies inside. Where one crossing is enough, the way in behind `start` of
+/// the ray's parameter, the way out may lie too far.
+template <class P>
+lanes::TruthOf<P> Ovus::inside_of(const P& origin, const P& way, lanes::NumberOf<P> start, bool first_only,
+                                  EndsOf<lanes::NumberOf<P>>& out) const
+{
+    using V = lanes::NumberOf<P>;
+    using Truth = lanes::TruthOf<P>;
+    const Course<P> course = this->course(origin, way);
+    const P &o = course.o, &e = course.e;
+    V from(-kInfinity), to(kInfinity);
+    const Truth possible = course.valid & in_sphere(o, e, 0.5 * distance_, bottom_ + 0.5 * distance_ + top_, from, to);
+    if (lanes::mask(possible) == 0) return possible;
+
+    // A little more than where it is wanted, so that rounding cannot make it no crossing.
+    start = start * course.length;
+    const V slack = V(1e-12) * (lanes::size_of(start) + lanes::size_of(course.shift) + V(arc_)),
+            wanted = first_only ? start - course.shift + slack : V(kInfinity);
+    out = {V(kInfinity), V(-kInfinity), V(0.0), V(0.0)};
+    const auto in_zone = [&](double low, double high, V& a, V& b) {
+        EndsOf<V> part;
+        const Truth in = possible & slab(o.y, e.y, low, high, part);
+        a = lanes::larger(part.entry, from);
+        b = lanes::smaller(part.exit, to);
+        return in & (a <= b);
+    };
+    const auto take = [&](const Truth& in, const V& a, const V& b, std::uint32_t face) {
+        const Truth sooner = in & (a < out.entry), later = in & (b > out.exit);
+        out.entry = lanes::choose(sooner, a, out.entry);
+        out.entry_face = lanes::choose(sooner, V(face), out.entry_face);
+        out.exit = lanes::choose(later, b, out.exit);
+        out.exit_face = lanes::choose(later, V(face), out.exit_face);
+    };
+    V a, b;
+    Truth in = in_zone(-kInfinity, low_, a, b);
+    in = in & in_sphere(o, e, 0.0, bottom_, a, b);
+    take(in, a, b, kBelow);
+    in = in_zone(high_, kInfinity, a, b);
+    in = in & in_sphere(o, e, distance_, top_, a, b);
+    take(in, a, b, kAbove);
+
+    in = in_zone(glm::max(low_, tip()), high_, a, b);
+    const Truth before = out.entry <= a;
+    in = in & !(before & (out.entry >= wanted));
+    if (lanes::mask(in) != 0) {
+        const auto arc = [&](const V& s, V& value, V& slope) { beyond(o, e, s, value, slope); };
+        const Truth alone = in & !before & (a >= wanted);  // no more than the way in is asked for
+        move_onto_convex(arc, 1.0, a, b, kClose * arc_, in);
+        Truth both = in & !alone;
+        move_onto_convex(arc, -1.0, b, a, kClose * arc_, both);
+        take((in & alone) | both, a, b, kBetween);
+    }
+    const Truth met = possible & (out.entry <= out.exit);
+    out.entry = course.world(out.entry);
+    out.exit = course.world(out.exit);
+    return met;
 }
 
 void Ovus::intersect(const Ray& ray, IntersectionList& out) const
 {
-    const double length = std::sqrt(glm::dot(ray.direction, ray.direction));
-    if (!(length > 0.0 && length < kInfinity)) return;
-    const glm::dvec3 e = ray.direction / length, middle(0.0, 0.5 * distance_, 0.0);
-    const double shift = -glm::dot(ray.origin - middle, e);
-    const glm::dvec3 o = ray.origin + shift * e;  // near the middle
-    if (stepped_) return intersect_stepped(o, e, shift, length, out);
-    double from = -kInfinity, to = kInfinity;
-    if (!in_sphere(o, e, middle, bottom_ + 0.5 * distance_ + top_, from, to)) return;
+    if (stepped_) return intersect_stepped(ray, out);
+    EndsOf<double> ends;
+    if (!inside_of(ray.origin, ray.direction, out.from, out.first_only, ends)) return;
+    if (out.enter(ends.entry, static_cast<std::uint32_t>(ends.entry_face)))
+        out.leave(ends.exit, static_cast<std::uint32_t>(ends.exit_face));
+}
 
-    // Zone by zone, in the ray's order: the first that is met has the way in, the last the way out. A way in behind
-    // `wanted` is enough where one crossing is; a little more, so that rounding cannot make it none.
-    const double start = out.from * length, slack = 1e-12 * (std::abs(start) + std::abs(shift) + arc_);
-    const double wanted = out.first_only ? start - shift + slack : kInfinity;
-    const double low[] = {-kInfinity, high_, glm::max(low_, tip())}, high[] = {low_, kInfinity, high_};  // by face
-    Interval found{kInfinity, -kInfinity};
-    const auto zone = [&](std::uint32_t face) {
-        Interval part;
-        if (!slab(o.y, e.y, low[face], high[face], part)) return false;
-        double a = glm::max(part.entry, from), b = glm::min(part.exit, to);
-        if (!(a <= b)) return false;
-        const bool both = found.entry < kInfinity || !(a >= wanted);
-        const bool met = face == kBetween ? between(o, e, a, b, both)
-                         : face == kBelow ? in_sphere(o, e, glm::dvec3(0.0), bottom_, a, b)
-                                          : in_sphere(o, e, {0.0, distance_, 0.0}, top_, a, b);
-        if (!met) return false;
-        if (a < found.entry) found.entry = a, found.entry_face = face;
-        if (b > found.exit) found.exit = b, found.exit_face = face;
-        return found.entry >= wanted;
-    };
-    const bool rising = e.y >= 0.0;
-    if (!zone(rising ? kBelow : kAbove) && !zone(kBetween)) zone(rising ? kAbove : kBelow);
-    if (!(found.entry <= found.exit)) return;
-    if (out.enter((shift + found.entry) / length, found.entry_face))
-        out.leave((shift + found.exit) / length, found.exit_face);
+void Ovus::intersect_many(std::span<const Ray> rays, IntersectionList* out) const
+{
+    convex_in_lanes(
+        rays, out,
+        [&](const lanes::Points& origins, const lanes::Points& ways, std::size_t first, EndsOf<lanes::Double>& ends) {
+            alignas(64) std::array<double, LocalRays::kWide> start{};
+            for (std::size_t k = 0; k < start.size() && first + k < rays.size(); ++k) start[k] = out[first + k].from;
+            return inside_of(origins, ways, lanes::Double::load_aligned(start.data()), out[first].first_only, ends);
+        });
 }
 
 bool Ovus::contains(const glm::dvec3& p) const

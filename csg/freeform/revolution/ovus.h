@@ -1,6 +1,8 @@
 #pragma once
 
-#include "csg/freeform/shared/intersection_list.h"
+#include "csg/base/points.h"
+#include "csg/freeform/shared/ray_batch.h"
+#include "csg/solids/shared/slab.h"
 
 namespace csg {
 
@@ -18,6 +20,8 @@ public:
     Ovus(double bottom, double top, double distance, double arc);
 
     void intersect(const Ray& ray, IntersectionList& out) const;
+    bool intersects_many() const { return !stepped_; }
+    void intersect_many(std::span<const Ray> rays, IntersectionList* out) const;
     bool contains(const glm::dvec3& p) const;
     bool contains_inverted(const glm::dvec3& p) const { return !contains(p); }
     glm::dvec3 gradient(const glm::dvec3& p, std::uint32_t face) const;
@@ -32,10 +36,17 @@ public:
 private:
     static constexpr std::uint32_t kBelow = 0, kAbove = 1, kBetween = 2;
 
-    void intersect_stepped(const glm::dvec3& o, const glm::dvec3& e, double shift, double length,
-                           IntersectionList& out) const;
+    template <class P>
+    struct Course;
+    template <class P>
+    Course<P> course(const P& origin, const P& way) const;
+    template <class P>
+    lanes::TruthOf<P> inside_of(const P& origin, const P& way, lanes::NumberOf<P> start, bool first_only,
+                                EndsOf<lanes::NumberOf<P>>& out) const;
+    void intersect_stepped(const Ray& ray, IntersectionList& out) const;
     double tip() const;
-    bool between(const glm::dvec3& o, const glm::dvec3& e, double& from, double& to, bool both) const;
+    template <class P, class V>
+    void beyond(const P& o, const P& e, const V& s, V& value, V& slope) const;
 
     double bottom_, top_, distance_;
     double arc_;  ///< radius of the arc: (rho + offset)^2 + (y - height)^2 = arc^2

@@ -115,6 +115,21 @@ TEST_CASE("many rays of a lemon are told what each is told alone", "[csg][many][
     CHECK(ends > csg_test::share(800) * 5);
 }
 
+TEST_CASE("many rays of an egg are told what each is told alone", "[csg][many][ovus]")
+{
+    if (!csg_test::runs_here()) return;
+    int ends = 0;
+    for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(csg_test::share(800)); ++seed) {
+        Rng rng(seed + 9500);
+        const double bottom = rng.uniform(0.2, 1.0), top = rng.coin() ? 0.0 : rng.uniform(0.0, 2.0 * bottom);
+        const double apart = glm::max(bottom, top - bottom) + rng.uniform(0.01, 1.0);
+        const double arc = (0.5 * (bottom + top + apart)) * rng.uniform(1.01, 4.0);
+        const Ovus egg = rng.coin() ? Ovus(bottom, top) : Ovus(bottom, top, apart, arc);
+        if (egg.intersects_many()) ends += csg_test::check_many(egg, 1.0, seed);
+    }
+    CHECK(ends > csg_test::share(800) * 5);
+}
+
 TEST_CASE("lemons bear any question", "[csg][lemon]")
 {
     Rng rng(7);
