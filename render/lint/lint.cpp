@@ -1,7 +1,7 @@
 #include "render/lint/lint.h"
 
 #include "parser/lexer/new_words.h"
-#include "parser/stream/messages.h"
+#include "parser/stream/texts/quoted_text.h"
 #include "render/lint/findings.h"
 
 #include <fmt/format.h>

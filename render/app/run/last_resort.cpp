@@ -1,9 +1,10 @@
 #include "render/app/run/last_resort.h"
 
+#include "render/app/run/stacks.h"
+
 #include <unistd.h>
 
 #include <chrono>
-#include <system_error>
 #include <utility>
 
 namespace app {
@@ -18,9 +19,7 @@ constexpr std::chrono::milliseconds kGrace{250};
 
 LastResort::LastResort(Cancellation& cancel, std::function<void()> save) : cancel_(cancel), save_(std::move(save))
 {
-    // Not std::thread: it frees memory in the new thread, for which malloc first maps an arena.
-    const int failed = pthread_create(&thread_, nullptr, start, this);
-    if (failed != 0) throw std::system_error(failed, std::generic_category(), "cannot start a thread");
+    thread_ = start_thread(start, this);
     cancel_.heeded = true;
 }
 

@@ -79,11 +79,17 @@ void start_on_deep_stack(std::function<void()> work)
     pthread_attr_init(&attributes);
     pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
     if (stack > kUsual) pthread_attr_setstacksize(&attributes, stack);
-    pthread_t thread;
-    const int failed = pthread_create(&thread, &attributes, run_work, owned.get());
-    pthread_attr_destroy(&attributes);
-    if (failed != 0) throw std::system_error(failed, std::generic_category(), "cannot start a thread");
+    const std::unique_ptr<pthread_attr_t, int (*)(pthread_attr_t*)> destroyed(&attributes, pthread_attr_destroy);
+    start_thread(run_work, owned.get(), &attributes);
     static_cast<void>(owned.release());  // the thread has it
+}
+
+pthread_t start_thread(void* (*work)(void*), void* of, const pthread_attr_t* attributes)
+{
+    pthread_t thread;
+    const int failed = pthread_create(&thread, attributes, work, of);
+    if (failed != 0) throw std::system_error(failed, std::generic_category(), "cannot start a thread");
+    return thread;
 }
 
 }  // namespace app

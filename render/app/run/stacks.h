@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <pthread.h>
 
 namespace app {
 
@@ -12,5 +13,9 @@ void deepen_stacks();
 /// The same for one piece of work, in a process whose other threads are not ours to change: on a thread of its own,
 /// which nobody waits for. Throws std::system_error where none can begin. What the work throws ends the process.
 void start_on_deep_stack(std::function<void()> work);
+
+/// pthread_create(); throws std::system_error where none can begin. Of a std::thread malloc would map an arena, for it
+/// frees memory in the new thread.
+pthread_t start_thread(void* (*work)(void*), void* of, const pthread_attr_t* attributes = nullptr);
 
 }  // namespace app

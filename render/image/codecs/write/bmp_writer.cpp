@@ -1,9 +1,6 @@
 #include "render/image/codecs/write/bmp_writer.h"
 
 #include "render/image/codecs/shared/little_endian.h"
-#include "render/image/pixels/passing_failure.h"
-
-#include <cerrno>
 
 namespace image {
 namespace {
@@ -17,7 +14,7 @@ std::size_t row_length(std::size_t width, std::size_t channels)
 }  // namespace
 
 BmpWriter::BmpWriter(const std::string& path, const FileShape& shape)
-    : out_(path, std::ios::binary), width_(static_cast<std::size_t>(shape.width)),
+    : StreamSink(path), width_(static_cast<std::size_t>(shape.width)),
       channels_(static_cast<std::size_t>(shape.channels)), bits_(shape.bits)
 {
     constexpr std::uint32_t kHeaders = 54, kSecond = 40;
@@ -35,7 +32,7 @@ BmpWriter::BmpWriter(const std::string& path, const FileShape& shape)
     add_four(header, 0);  // as they are
     add_four(header, pixels);
     header.resize(kHeaders);
-    if (!(out_ << header)) fail_by_system(errno);
+    write(header);
 }
 
 void BmpWriter::put(const std::uint16_t* samples)
@@ -46,12 +43,7 @@ void BmpWriter::put(const std::uint16_t* samples)
         if (channels_ == 4) row_ += static_cast<char>(byte_of(samples[3], bits_));
     }
     row_.resize(row_length(width_, channels_));
-    if (!(out_ << row_)) fail_by_system(errno);
-}
-
-void BmpWriter::finish()
-{
-    if (!out_.flush()) fail_by_system(errno);
+    write(row_);
 }
 
 }  // namespace image

@@ -1,10 +1,7 @@
 #include "render/image/codecs/write/hdr_writer.h"
 
-#include "render/image/pixels/passing_failure.h"
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 
 namespace image {
@@ -51,11 +48,10 @@ void pack(const std::uint8_t* bytes, std::size_t count, std::string& out)
 }  // namespace
 
 HdrWriter::HdrWriter(const std::string& path, const FileShape& shape)
-    : out_(path, std::ios::binary), width_(static_cast<std::size_t>(shape.width)), row_(kChannels * width_)
+    : StreamSink(path), width_(static_cast<std::size_t>(shape.width)), row_(kChannels * width_)
 {
-    out_ << "#?RADIANCE\nSOFTWARE=" << shape.software << "\nFORMAT=32-bit_rle_rgbe\n\n-Y " << shape.height << " +X "
-         << shape.width << '\n';
-    if (!out_) fail_by_system(errno);
+    write(std::string("#?RADIANCE\nSOFTWARE=") + shape.software + "\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
+          std::to_string(shape.height) + " +X " + std::to_string(shape.width) + '\n');
 }
 
 void HdrWriter::put(const float* levels)
@@ -72,12 +68,7 @@ void HdrWriter::put(const float* levels)
     } else {
         packed_.assign(row_.begin(), row_.end());
     }
-    if (!(out_ << packed_)) fail_by_system(errno);
-}
-
-void HdrWriter::finish()
-{
-    if (!out_.flush()) fail_by_system(errno);
+    write(packed_);
 }
 
 }  // namespace image

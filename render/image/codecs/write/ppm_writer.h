@@ -1,8 +1,7 @@
 #pragma once
 
-#include "render/image/codecs/write/row_sink.h"
+#include "render/image/codecs/write/stream_sink.h"
 
-#include <fstream>
 #include <string>
 
 namespace image {
@@ -10,14 +9,12 @@ namespace image {
 /// Writes PPM (3 channels) and PGM (1 channel): a largest value of 2^bits - 1; in the binary forms two bytes a sample,
 /// the upper first, where bits is above 8, in the plain ones a line of numbers a pixel. By hand, for OpenImageIO 2.4
 /// writes no more than 8 bits.
-class PpmWriter final : public RowSink {
+class PpmWriter final : public StreamSink<std::uint16_t> {
 public:
     PpmWriter(const std::string& path, const FileShape& shape, bool plain);
     void put(const std::uint16_t* samples) override;
-    void finish() override;
 
 private:
-    std::ofstream out_;
     std::size_t row_samples_;
     int bits_, channels_;
     bool plain_;

@@ -1,15 +1,13 @@
 #include "render/image/codecs/write/targa_writer.h"
 
 #include "render/image/codecs/shared/little_endian.h"
-#include "render/image/pixels/passing_failure.h"
 
-#include <cerrno>
 #include <cmath>
 
 namespace image {
 
 TargaWriter::TargaWriter(const std::string& path, const FileShape& shape, bool runs)
-    : out_(path, std::ios::binary), shape_(shape), runs_(runs)
+    : StreamSink(path), shape_(shape), runs_(runs)
 {
     constexpr char kColors = 2, kGreys = 3, kPacked = 8, kFromAbove = 0x20, kAlphaBits = 8;
     std::string header(12, '\0');
@@ -18,7 +16,7 @@ TargaWriter::TargaWriter(const std::string& path, const FileShape& shape, bool r
     add_two(header, static_cast<unsigned>(shape.height));
     header += static_cast<char>(8 * shape.channels);
     header += static_cast<char>(kFromAbove | (shape.channels == 4 ? kAlphaBits : 0));
-    if (!(out_ << header)) fail_by_system(errno);
+    write(header);
 }
 
 void TargaWriter::put(const std::uint16_t* samples)
@@ -29,7 +27,7 @@ void TargaWriter::put(const std::uint16_t* samples)
         for (std::size_t c = 0; c < channels; ++c)  // blue, green, red, alpha
             pixels_ += static_cast<char>(byte_of(samples[c < 3 && channels > 1 ? 2 - c : c], shape_.bits));
     if (runs_) add_runs();
-    if (!(out_ << (runs_ ? packed_ : pixels_))) fail_by_system(errno);
+    write(runs_ ? packed_ : pixels_);
 }
 
 /// The row as packets of up to 128 pixels: one that is repeated, or some as they are.
@@ -57,7 +55,7 @@ void TargaWriter::finish()
 {
     constexpr std::size_t kProgram = 426, kGamma = 478, kKind = 494;  // places
     constexpr char kAlpha = 3;
-    const auto at = static_cast<std::uint32_t>(out_.tellp());
+    const auto at = static_cast<std::uint32_t>(length());
     std::string rest;
     add_two(rest, kKind + 1);  // its length
     rest.resize(kProgram);
@@ -74,7 +72,8 @@ void TargaWriter::finish()
     add_four(rest, 0);
     rest += "TRUEVISION-XFILE.";
     rest += '\0';
-    if (!(out_ << rest) || !out_.flush()) fail_by_system(errno);
+    write(rest);
+    StreamSink::finish();
 }
 
 }  // namespace image
