@@ -11,7 +11,7 @@
 namespace csg {
 namespace {
 
-constexpr double kClose = 1e-12;  // of the arc's radius: the last step of a search
+constexpr double kLastStep = 1e-12;  // of the arc's radius: the last step of a search
 
 /// The ray's part in a sphere about a place of the axis, cut to [from, to].
 template <class P, class V>
@@ -119,7 +119,7 @@ void Ovus::intersect_stepped(const Ray& ray, IntersectionList& out) const
     double from = -kInfinity, to = kInfinity;
     if (slab(o.y, e.y, glm::max(low_, tip()), high_, zone) &&
         in_sphere(o, e, 0.5 * distance_, bottom_ + 0.5 * distance_ + top_, from, to)) {
-        const double begin = glm::max(zone.entry, from), end = glm::min(zone.exit, to), close = kClose * arc_;
+        const double begin = glm::max(zone.entry, from), end = glm::min(zone.exit, to), close = kLastStep * arc_;
         double in = begin, leave = end;
         const auto arc = [&](double s, double& value, double& slope) { beyond(o, e, s, value, slope); };
         bool met = begin <= end;
@@ -194,9 +194,9 @@ lanes::TruthOf<P> Ovus::inside_of(const P& origin, const P& way, lanes::NumberOf
     if (lanes::mask(in) != 0) {
         const auto arc = [&](const V& s, V& value, V& slope) { beyond(o, e, s, value, slope); };
         const Truth alone = in & !before & (a >= wanted);  // no more than the way in is asked for
-        move_onto_convex(arc, 1.0, a, b, kClose * arc_, in);
+        move_onto_convex(arc, 1.0, a, b, kLastStep * arc_, in);
         Truth both = in & !alone;
-        move_onto_convex(arc, -1.0, b, a, kClose * arc_, both);
+        move_onto_convex(arc, -1.0, b, a, kLastStep * arc_, both);
         take((in & alone) | both, a, b, kBetween);
     }
     const Truth met = possible & (out.entry <= out.exit);
