@@ -64,15 +64,13 @@ install_packages() {
 }
 
 # kernels_for HAD KIND: those to build, by level of x86-64: all of them; those that this processor runs, since no test sees the others
-# (`runnable`); the least and the best of these (`tested`, for ./check); the best (`own`, for ./run). Those that are configured already
-# stay where they serve.
+# (`runnable`); the best of these (`own`). Those that are configured already stay where they serve.
 kernels_for() {
     local had=$1 levels wanted
     levels=$({ /lib64/ld-linux-x86-64.so.2 --help 2>/dev/null || true; } | sed -n 's/.*x86-64-\(v[234]\) (supported.*/\1/p' | sort)
     levels=${levels:-v2}
     case $2 in
     own) wanted=${had:-${levels##*$'\n'}} ;;
-    tested) wanted=$(sed -n '1p;$p' <<<"$levels" | uniq) ;;
     runnable) wanted=$levels ;;
     *) wanted="v2;v3;v4" ;;
     esac

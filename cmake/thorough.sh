@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What ./check leaves out to be short, for continuous integration and for whoever touches kernels, memory or what a compiler may
-# refuse: the kernels between the least and the best of this processor with the tests that look at them, the fast tests with the
-# address and undefined-behaviour sanitizers, and what g++ says of every source. After ./check, whose builds it goes on with.
+# refuse: all kernels that this processor runs with the tests that look at them, the fast tests with the address and
+# undefined-behaviour sanitizers, and what g++ says of every source. After ./check, whose build it goes on with.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 install_packages to_check

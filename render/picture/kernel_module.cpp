@@ -38,17 +38,22 @@ std::string name(Isa isa)
 
 std::string module_name(Isa isa) { return fmt::format("libwhittle_kernel_{}.so", name(isa)); }
 
-/// The best that this processor runs and that was built.
 Isa best_there()
 {
-    for (const Isa isa : {Isa::V4, Isa::V3, Isa::V2})
-        if (isa <= best() && image::find_module(module_name(isa))) return isa;
-    throw std::runtime_error(image::missing_module(module_name(best())));
+    const std::vector<Isa> all = kernels_there();
+    if (all.empty()) throw std::runtime_error(image::missing_module(module_name(best())));
+    return all.back();
 }
 
 }  // namespace
 
-std::string best_isa() { return name(best()); }
+std::vector<Isa> kernels_there()
+{
+    std::vector<Isa> all;
+    for (const Isa isa : {Isa::V2, Isa::V3, Isa::V4})
+        if (isa <= best() && image::find_module(module_name(isa))) all.push_back(isa);
+    return all;
+}
 
 const KernelTable& load_kernel(Isa isa)
 {
@@ -60,7 +65,7 @@ const KernelTable& load_kernel(Isa isa)
     const Isa chosen = isa == Isa::Auto ? best_there() : isa;
     if (chosen > best())
         throw std::runtime_error(
-            fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), best_isa()));
+            fmt::format("this processor cannot run the kernel '{}'; its best is '{}'", name(chosen), name(best())));
     const auto entry = reinterpret_cast<KernelEntry>(image::module_entry(module_name(chosen), kKernelSymbol));
     return *known.emplace(isa, entry()).first->second;
 }

@@ -72,7 +72,7 @@ struct RenderStatistics {
 /// the kernel module for the asked instruction set is missing or the processor cannot run it.
 RenderStatistics render(const plan::CompiledScene& scene, const RenderOptions& options, image::Image& image);
 
-/// What the processor can run, best last.
-std::string best_isa();
+/// The kernels that the processor runs and that were built, best last.
+std::vector<Isa> kernels_there();
 
 }  // namespace trace

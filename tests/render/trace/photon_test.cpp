@@ -280,11 +280,12 @@ sphere { <0,1.6,0>, 1 pigment { rgbf .9 } finish { reflection .2 } interior { io
 box { -1, 1 scale .4 rotate 30 translate <1.6,.6,0> pigment { rgb .7 } finish { reflection .6 } photons { target 1.4 reflection on } }
 box { <-2,.05,-2>, <2,.5,2> hollow pigment { rgbt 1 } interior { media { scattering { 1, .2 } } } photons { refraction on pass_through collect off } }
 )";
-    const indirect_test::Made one = indirect_test::made(text, 32, 24, 1, trace::Isa::V2);
+    const std::vector<trace::Isa> kernels = trace::kernels_there();
+    const indirect_test::Made one = indirect_test::made(text, 32, 24, 1, kernels.front());
     REQUIRE(one.light);
     CHECK(one.light->photons.size() > 500);
     CHECK(one.light->media_photons.size() > 500);
-    for (const trace::Isa isa : {trace::Isa::V2, trace::Isa::Auto})
+    for (const trace::Isa isa : {kernels.front(), kernels.back()})
         for (const int threads : {1, 2, 3}) {
             const indirect_test::Made other = indirect_test::made(text, 32, 24, threads, isa);
             const auto same = [](const trace::PhotonMap& a, const trace::PhotonMap& b) {

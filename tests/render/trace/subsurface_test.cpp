@@ -179,7 +179,7 @@ plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }
 sphere { 0, 1 pigment { rgb <.9,.7,.6> } interior { ior 1.4 } finish { specular .3 subsurface { translucency <2,1,1> } } }
 box { <1,-1,-.1>, <1.6,1,.1> pigment { rgb .9 } interior { ior 1.3 } finish { subsurface { translucency 4 } } }
 )";
-    const indirect_test::Made one = indirect_test::made(text, 40, 30, 1, trace::Isa::V2);
+    const indirect_test::Made one = indirect_test::made(text, 40, 30, 1, trace::kernels_there().front());
     for (const int threads : {1, 2, 3}) {
         const indirect_test::Made other = indirect_test::made(text, 40, 30, threads);
         CHECK(std::memcmp(one.picture.pixels.data(), other.picture.pixels.data(),
