@@ -23,25 +23,30 @@ struct Photon {
 };
 static_assert(sizeof(Photon) == 20, "files hold them as they are");
 
-/// back: unit, to where it came from.
-inline Photon make_photon(const glm::dvec3& place, const glm::vec3& flux, const glm::dvec3& back)
+inline void set_flux(Photon& photon, const glm::vec3& flux)
 {
     constexpr float kBlack = 1e-32f;
     constexpr int kBias = 250;
+    photon.red = photon.green = photon.blue = photon.exponent = 0;
+    const float most = std::max({flux.x, flux.y, flux.z});
+    if (!(most >= kBlack && std::isfinite(most))) return;
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    const auto mantissa = [exponent](float channel) {
+        return static_cast<std::uint8_t>(std::clamp(std::ldexp(channel, 8 - exponent), 0.0f, 255.0f));
+    };
+    photon.red = mantissa(flux.x);
+    photon.green = mantissa(flux.y);
+    photon.blue = mantissa(flux.z);
+    photon.exponent = static_cast<std::uint8_t>(exponent + kBias);
+}
+
+/// back: unit, to where it came from.
+inline Photon make_photon(const glm::dvec3& place, const glm::vec3& flux, const glm::dvec3& back)
+{
     Photon out{
         static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z), 0, 0, 0, 0, 0, 0, 0, 0};
-    const float most = std::max({flux.x, flux.y, flux.z});
-    if (most >= kBlack && std::isfinite(most)) {
-        int exponent = 0;
-        std::frexp(most, &exponent);
-        const auto mantissa = [exponent](float channel) {
-            return static_cast<std::uint8_t>(std::clamp(std::ldexp(channel, 8 - exponent), 0.0f, 255.0f));
-        };
-        out.red = mantissa(flux.x);
-        out.green = mantissa(flux.y);
-        out.blue = mantissa(flux.z);
-        out.exponent = static_cast<std::uint8_t>(exponent + kBias);
-    }
+    set_flux(out, flux);
     constexpr double kSteps = 127.0 / std::numbers::pi;
     const double flat = std::sqrt(back.x * back.x + back.z * back.z);
     const auto step = [](double angle, double sign) {

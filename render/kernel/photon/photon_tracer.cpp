@@ -4,6 +4,7 @@
 #include "render/kernel/context/side_textures.h"
 #include "render/kernel/extensions/rough_mirror.h"
 #include "render/kernel/photon/photon_air.h"
+#include "render/kernel/photon/photon_forest.h"
 #include "render/kernel/scatter/refraction.h"
 #include "render/kernel/tile/nearly_zero.h"
 #include "numbers/random.h"
@@ -13,12 +14,6 @@
 #include <algorithm>
 
 namespace trace {
-namespace {
-
-constexpr std::uint32_t kNoStep = 0xffffffffu;
-
-}  // namespace
-
 class PhotonTracer::Impl {
 public:
     Impl(const plan::CompiledScene& scene, const std::atomic<bool>* cancel)
@@ -37,7 +32,8 @@ public:
         out.media_end.clear();
         out.hit.clear();
         for (std::size_t i = 0; i < photons.size(); ++i) {
-            in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
+            if (has(dispersed_, i)) steps_.filter_samples(static_cast<std::uint32_t>(i), stay_);
+            steps_.in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
                 const PhotonStep& step = steps_[s];
                 const auto first = stay_.begin() + static_cast<std::ptrdiff_t>(step.media);
                 out.media.insert(out.media.end(), first, first + static_cast<std::ptrdiff_t>(step.media_count));
@@ -56,7 +52,7 @@ public:
         out.draws_before.assign(steps_.size(), 0);
         std::uint64_t sum = 0;
         for (std::size_t i = 0; i < photons.size(); ++i) {
-            in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
+            steps_.in_order(static_cast<std::uint32_t>(i), [&](std::uint32_t s) {
                 out.draws_before[s] = sum;
                 sum += steps_[s].draws;
             });
@@ -74,15 +70,7 @@ private:
         std::uint32_t root;   ///< which of the tile's photons it comes from
         bool seeking = true;  ///< for its target: all it has met was to be passed through
         bool passed = false;  ///< the surface before was passed through
-    };
-
-    /// What photons leave, as a forest: a photon's own stays before what it sends on, one way after the other.
-    struct PhotonStep {
-        std::uint32_t first = kNoStep, last = kNoStep, next = kNoStep;  ///< steps of photons that go on from here
-        bool stays = false;
-        Photon photon;
-        std::uint64_t draws = 0;                 ///< of random numbers on its way through media
-        std::size_t media = 0, media_count = 0;  ///< photons that it has left there, in stay_
+        bool dispersed = false;
     };
 
     /// All ways of the photons. jitter, known: null to count draws; else PhotonYield::draws_before tells where each
@@ -93,11 +81,10 @@ private:
         flight_ = &flight;
         jitter_ = jitter;
         known_ = known;
-        steps_.clear();
-        steps_.resize(photons.size());
+        steps_.begin(photons.size());
         stay_.clear();
         flying_.clear();
-        hits_ = 0;
+        hits_ = dispersed_ = 0;
         Flying start{{}, glm::vec3(0.0f), 0.0, 0, 0};
         start.state.start = scene_.tolerance.hit;
         start.state.kind = plan::RayKind::Photon;
@@ -110,23 +97,6 @@ private:
             photon.step = photon.root = static_cast<std::uint32_t>(i);
         }
         while (!flying_.empty()) trace_some();
-    }
-
-    /// f(step) for all that a photon leaves, one way after the other.
-    template <class F>
-    void in_order(std::uint32_t root, F&& f)
-    {
-        if (steps_[root].first == kNoStep) return f(root);
-        order_.assign(1, root);
-        while (!order_.empty()) {
-            const std::uint32_t at = order_.back();
-            order_.pop_back();
-            f(at);
-            const std::size_t begin = order_.size();
-            for (std::uint32_t next = steps_[at].first; next != kNoStep; next = steps_[next].next)
-                order_.push_back(next);
-            std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(begin), order_.end());
-        }
     }
 
     /// The photons that wait last, up to a tile of them that see the same.
@@ -169,7 +139,7 @@ private:
             return;
         const bool goes_on = sends_photons(hit.surface, rules), seeks_on = photon.seeking && rules.pass_through;
         HitDetails details{photon.state.ray.at(hit.t), glm::dvec3(0.0)};
-        if (goes_on || seeks_on) details = hit_details(context_, photon.state.ray, hit);
+        if (goes_on || seeks_on || photon.dispersed) details = hit_details(context_, photon.state.ray, hit);
         const bool inside = from_inside(details, photon.state.ray.direction);
         const HitPlace place{
             photon.state,           hit,   surface, details.point, inside ? -details.normal : details.normal,
@@ -186,6 +156,7 @@ private:
         }
         if (place.level > 1 && !photon.passed && rules.collect) stay(photon, place);
         if (goes_on) go_on(photon, place, details, rules);
+        else if (photon.dispersed) filter_of(photon, place, details);
     }
 
     /// Whether the surface may mirror this flight's photons or let them through.
@@ -230,9 +201,7 @@ private:
     /// Straight on through what is to be passed through.
     void pass(const Flying& photon, const HitPlace& place, const HitDetails& details)
     {
-        glm::vec3 filter(place.surface.texture_of(place.from_inside) == plan::kNone ? 1.0f : 0.0f);
-        each_layers(place, details,
-                    [&](HitContext&, const LayerStack& stack, float share) { filter += share * stack.filter; });
+        const glm::vec3 filter = filter_of(photon, place, details);
         Flying next = photon;
         next.color *= filter;
         next.passed = true;
@@ -248,12 +217,22 @@ private:
         send(std::move(next), photon);
     }
 
+    /// What the surface lets through.
+    glm::vec3 filter_of(const Flying& photon, const HitPlace& place, const HitDetails& details)
+    {
+        glm::vec3 filter(place.surface.texture_of(place.from_inside) == plan::kNone ? 1.0f : 0.0f);
+        each_layers(place, details,
+                    [&](HitContext&, const LayerStack& stack, float share) { filter += share * stack.filter; });
+        steps_[photon.step].filter.met = filter;
+        return filter;
+    }
+
     void stay(const Flying& photon, const HitPlace& place)
     {
         PhotonStep& step = steps_[photon.step];
         step.stays = true;
-        step.photon =
-            make_photon(place.point, photon_flux(*flight_, photon.color, photon.depth, 2), -photon.state.ray.direction);
+        step.flux = photon_flux(*flight_, photon.color, photon.depth, 2);
+        step.photon = make_photon(place.point, step.flux, -photon.state.ray.direction);
     }
 
     /// What a texture's layers send on.
@@ -262,6 +241,7 @@ private:
         const bool refracts = agree(rules.refraction, flight_->refraction),
                    reflects = agree(rules.reflection, flight_->reflection);
         each_layers(place, details, [&](HitContext& hit, const LayerStack& stack, float share) {
+            if (stack.filter != glm::vec3(0.0f)) steps_[photon.step].filter.met = stack.filter;
             Refracted next;
             const float weight = photon.state.weight * largest(glm::abs(stack.filter));
             const bool through = refracts && stack.residual > static_cast<float>(plan_.adc_bailout) &&
@@ -288,18 +268,24 @@ private:
     void transmit(const Flying& photon, const HitContext& hit, const LayerStack& stack, const Refracted& next,
                   float share)
     {
-        const glm::vec3 passed = photon.color * stack.filter * scene_.interiors[hit.surface.interior].transmission *
-                                 share;
+        const glm::vec3 filter = next.samples == 0 ? stack.filter : DispersedFilters::carried(stack.filter),
+                        passed = photon.color * filter * scene_.interiors[hit.surface.interior].transmission * share;
         if (next.samples == 0) {
             Flying on = sent(photon, next.ray, next.total ? photon.color * share : passed);
             if (next.total) on.state.weight = photon.state.weight;
-            return send(std::move(on), photon);
+            send(std::move(on), photon);
+            return;
         }
         for (int i = 0; i < next.samples; ++i) {
             RayState ray;
             const bool through = disperse(context_, hit, stack.top_normal, next, i, ray);
             const glm::vec3 part = hue(wavelength(i, next.samples), next.samples) / static_cast<float>(next.samples);
-            send(sent(photon, ray, part * (through ? passed : photon.color * share)), photon);
+            Flying on = sent(photon, ray, part * (through ? passed : photon.color * share));
+            on.dispersed = true;
+            if (!send(std::move(on), photon) || !through) continue;
+            dispersed_ |= HitMask{1} << photon.root;
+            using Sample = DispersedFilters::Part::Sample;
+            steps_.last().filter = {i == 0 ? Sample::First : Sample::Later, stack.filter};
         }
     }
 
@@ -330,21 +316,19 @@ private:
 
     static Flying sent(const Flying& from, const RayState& ray, const glm::vec3& color)
     {
-        Flying out{ray, color, from.depth, kNoStep, from.root, false, false};
+        Flying out{ray, color, from.depth, 0, from.root, false, false, from.dispersed};
         if (ray.kind == plan::RayKind::Reflection) out.state.kind = plan::RayKind::MirroredPhoton;
         return out;
     }
 
-    void send(Flying&& photon, const Flying& from)
+    /// False: it ends here.
+    bool send(Flying&& photon, const Flying& from)
     {
         if (photon.state.level >= plan_.max_trace_level || static_cast<double>(photon.state.weight) < plan_.adc_bailout)
-            return;
-        photon.step = static_cast<std::uint32_t>(steps_.size());
-        steps_.emplace_back();
-        PhotonStep& before = steps_[from.step];
-        (before.first == kNoStep ? before.first : steps_[before.last].next) = photon.step;
-        before.last = photon.step;
+            return false;
+        photon.step = steps_.add(from.step);
         flying_.push_back(std::move(photon));
+        return true;
     }
 
     const plan::CompiledScene& scene_;
@@ -354,13 +338,12 @@ private:
     Context context_;
     const PhotonFlight* flight_ = nullptr;
     std::vector<Flying> flying_, tracing_;
-    std::vector<PhotonStep> steps_;
-    std::vector<std::uint32_t> order_;
+    PhotonForest steps_;
     std::vector<Photon> stay_;  ///< in media
     PhotonAir air_{scene_, stay_};
     const JitterStream* jitter_ = nullptr;
     const PhotonYield* known_ = nullptr;
-    HitMask hits_ = 0;
+    HitMask hits_ = 0, dispersed_ = 0;  ///< by photon
     RayTile rays_;
     HitTile met_;
 };
