@@ -271,9 +271,7 @@ private:
         const glm::vec3 filter = next.samples == 0 ? stack.filter : DispersedFilters::carried(stack.filter),
                         passed = photon.color * filter * scene_.interiors[hit.surface.interior].transmission * share;
         if (next.samples == 0) {
-            Flying on = sent(photon, next.ray, next.total ? photon.color * share : passed);
-            if (next.total) on.state.weight = photon.state.weight;
-            send(std::move(on), photon);
+            send(sent(photon, next.ray, next.total ? photon.color * share : passed), photon);
             return;
         }
         for (int i = 0; i < next.samples; ++i) {
