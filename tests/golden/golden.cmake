@@ -6,7 +6,7 @@
 #   Switches of two dashes, as --faithful, are Whittle's own and stay here.
 #
 # golden_same_bytes(csg/bite SIZE 160x120)
-#   One thread, several threads, other blocks and every instruction set this machine has give the same file, byte by byte.
+#   One thread, several threads, other blocks and every kernel that was built and runs here give the same file, byte by byte.
 #
 # golden_dump(csg/bite scene)
 #   What --dump=scene prints is dumps/csg/bite.scene.txt.
@@ -29,6 +29,7 @@ function(golden_same_bytes name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SIZE" "SWITCHES")
   list(JOIN arg_SWITCHES " " switches)
   golden_test(same_bytes/${name} same_bytes ${name} SIZE=${arg_SIZE} "SWITCHES=${switches}")
+  set_property(TEST same_bytes/${name} APPEND PROPERTY LABELS every_kernel)
 endfunction()
 
 function(golden_dump name stage)
