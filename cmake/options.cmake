@@ -4,7 +4,7 @@ target_compile_options(project_options INTERFACE -Wall -Wextra -Wconversion -Wsh
                        -ffp-contract=off -fvisibility=hidden)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 if(WHITTLE_SANITIZE)
-  # Most of the time of cmake/thorough.sh goes into compiling, so there is no optimisation; -g1 still names lines. The
+  # Half of the time that these tests take goes into compiling, so there is no optimisation; -g1 still names lines. The
   # null check is off because the address sanitizer stops at null pointers anyway, and because checking each use of a member
   # makes the grammar take 1.4 times as long. float-cast-overflow is off: a double beyond an integer's range is converted as
   # the processor does it. Warnings are the release build's.

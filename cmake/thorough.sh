@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What ./check leaves out to be short, for continuous integration and for whoever touches kernels, memory or what a compiler may
-# refuse: all kernels that this processor runs with the tests that look at them, the fast tests with the address and
-# undefined-behaviour sanitizers, and what g++ says of every source. After ./check, whose build it goes on with.
+# What ./check leaves out to be quick. Run it after ./check when you have changed kernels or code that handles memory: it builds all
+# kernels that this processor runs and repeats the tests that compare them, runs the fast tests with the address and
+# undefined-behaviour sanitizers, and lets g++ read every source.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 install_packages to_check

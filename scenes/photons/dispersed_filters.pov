@@ -1,5 +1,5 @@
-// Photons that a prism of clear glass disperses and coloured glass lets through behind it: POV-Ray takes the prism's filter for the
-// first colour alone, and for the others that of the last glass on the way of the one before.
+// Photons that clear prisms split into colours, with coloured glass on their way. POV-Ray filters only the first colour by the prism; each
+// later one by the glass that the colour before it has met last.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 12 photons { spacing 0.03 gather 24, 80 } }
 camera { location <0, 5, -7.5> look_at <0, 1.1, .4> angle 42 }

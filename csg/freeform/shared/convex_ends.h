@@ -13,7 +13,7 @@
 namespace csg {
 
 /// Moves the ends that lie beyond a surface onto it. Newton's steps never pass the nearest root of a convex function;
-/// they end after one no longer than `close`, which should be so small that it has squared the error before it.
+/// they end after one no longer than `close`, small enough that what is left is its square.
 /// \param beyond beyond(end, value, slope): along the ray, at most 0 inside
 /// \param way    1 for where rays go in, -1 for where they come out
 /// \param other  the other end, which is not passed
@@ -41,9 +41,8 @@ inline lanes::Truth<V> move_onto_convex(const Beyond& beyond, double way, V& end
 }
 
 /// Tells many rays of a convex solid.
-/// \param inside_of inside_of(origins, ways, which ray is the first of them, ends): those that have a part in it, and
-/// its
-///                  ends
+/// \param inside_of inside_of(origins, ways, first, ends): which of the rays from the `first` on, a ray a lane, have a
+///                  part in it, and the part's ends
 template <class Inside>
 inline void convex_in_lanes(std::span<const Ray> rays, IntersectionList* out, const Inside& inside_of)
 {

@@ -8,7 +8,7 @@
 
 namespace csg {
 
-/// Rays by coordinates.
+/// Rays of a tile, coordinate by coordinate, as lanes load them. Missing ones are zeros.
 class LocalRays {
 public:
     static constexpr std::size_t kWide = static_cast<std::size_t>(lanes::kDoubles);

@@ -23,6 +23,7 @@ struct Photon {
 };
 static_assert(sizeof(Photon) == 20, "files hold them as they are");
 
+/// Linear RGB; not a number, and what is darker than 1e-32, becomes black.
 inline void set_flux(Photon& photon, const glm::vec3& flux)
 {
     constexpr float kBlack = 1e-32f;

@@ -4,20 +4,20 @@
 
 namespace trace {
 
-/// What filters the photons that dispersion makes of one (spec 6, 3.5). POV-Ray takes the filter of the surface for the
-/// first of them alone; for the others the one that it has evaluated last, on the ways of those before. So only when
-/// all ways are known can the others be corrected.
+/// What filters the samples, photons that dispersion makes of one (spec 6, 3.5). POV-Ray filters only the first by the
+/// surface; each other sample by what it worked out last, on the way of the sample before. So the others can only be
+/// corrected when all ways are known.
 class DispersedFilters {
 public:
-    /// A photon's part of it.
+    /// What is known of one photon, a sample or not.
     struct Part {
         enum class Sample : unsigned char { None, First, Later } sample = Sample::None;
-        glm::vec3 own{0.0f};     ///< what the surface filters that made it a sample
-        glm::vec3 met{0.0f};     ///< what the surface filters that it comes to; black: nothing gets through
-        glm::vec3 factor{1.0f};  ///< of what it leaves, after visit()
+        glm::vec3 own{0.0f};     ///< filter of the surface that made it a sample
+        glm::vec3 met{0.0f};     ///< filter of the surface that it comes to; black if opaque
+        glm::vec3 factor{1.0f};  ///< by which the flux that it leaves is off; before visit(), that of the photon before
     };
 
-    /// What a sample is filtered by until visit().
+    /// What a sample is filtered by at first: its surface's filter, but 1 in channels that would be lost for good.
     static glm::vec3 carried(const glm::vec3& own)
     {
         glm::vec3 out = own;
@@ -26,7 +26,7 @@ public:
         return out;
     }
 
-    /// Parts in the order in which POV-Ray follows them, each with the factor of the photon before.
+    /// Takes photons in the order in which POV-Ray follows them.
     void visit(Part& part)
     {
         if (part.sample == Part::Sample::First) last_ = part.own;

@@ -17,7 +17,7 @@ struct PhotonStep {
     std::uint32_t first = kNone, last = kNone, next = kNone;  ///< steps of photons that go on from here
     bool stays = false;
     Photon photon;
-    glm::vec3 flux;                          ///< the photon's, as exact as it was
+    glm::vec3 flux;                          ///< the photon's, before it is packed
     std::uint64_t draws = 0;                 ///< of random numbers on its way through media
     std::size_t media = 0, media_count = 0;  ///< photons that it has left there
     DispersedFilters::Part filter;
