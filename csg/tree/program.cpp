@@ -122,6 +122,17 @@ void join(Draft& draft, Draft operand)
     for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
 }
 
+/// Whether an operator turns the order of the crossings of each operand round (spec 5a, 2.2). A union does so only
+/// where it is clipped, which its draft is made with.
+bool turns_order(Op op) { return op == Op::Intersection || op == Op::Merge; }
+
+/// Turns the order of the crossings round, as an operator did that is no longer there.
+void turn_order(Draft& draft)
+{
+    if (draft.op != Op::Clip && draft.op != Op::Guard) std::reverse(draft.operands.begin(), draft.operands.end());
+    for (Draft& operand : draft.operands) turn_order(operand);
+}
+
 /// How often a tree was turned inside out, its parents' turns counted.
 struct Turns {
     bool inverted = false, ever = false;
@@ -141,14 +152,18 @@ Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& 
                   : tree.op == Tree::Op::Union && !turns.ever ? Op::Union
                                                               : Op::Merge;  // twice turned it has no inner surfaces
     else made.op = inverted ? Op::Merge : Op::Intersection;
+    const bool turned_by_clip = made.op == Op::Union && !tree.clips.empty();
     for (std::size_t i = 0; i < tree.operands.size(); ++i) {
         const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
-        join(made, draft_of(tree.operands[i], turns.flipped(subtracted), store, pruning));
+        Draft operand = draft_of(tree.operands[i], turns.flipped(subtracted), store, pruning);
+        if (turned_by_clip) turn_order(operand);
+        join(made, std::move(operand));
     }
     enclose(made, store);
     drop_useless(made, pruning);
     if (made.operands.size() == 1) {
         Draft only = std::move(made.operands.front());
+        if (turns_order(made.op)) turn_order(only);
         return only;
     }
     return made;
@@ -260,8 +275,7 @@ void flatten(const Draft& draft, const SolidStore& store, std::uint32_t parent, 
     program.span_memory = std::max(program.span_memory, node.max_spans);
 }
 
-/// Ranks the leaves below node i in the order of their crossings: every operator but a union turns its operands' round
-/// (spec 5a, 2.2).
+/// Ranks the leaves below node i in the order of their crossings.
 void rank_leaves(std::vector<Node>& nodes, std::uint32_t i, bool turned, std::uint32_t& rank)
 {
     if (nodes[i].op == Op::Leaf) {
@@ -271,8 +285,7 @@ void rank_leaves(std::vector<Node>& nodes, std::uint32_t i, bool turned, std::ui
     std::vector<std::uint32_t> operands;
     for (std::uint32_t k = i + 1; k < nodes[i].end; k = nodes[k].end) operands.push_back(k);
     if (turned) std::reverse(operands.begin(), operands.end());
-    const bool turns = nodes[i].op != Op::Union && nodes[i].op != Op::Guard;
-    for (const std::uint32_t k : operands) rank_leaves(nodes, k, turned != turns, rank);
+    for (const std::uint32_t k : operands) rank_leaves(nodes, k, turned != turns_order(nodes[i].op), rank);
 }
 
 /// Whether an operator's answer is the same without an operand whose box the ray misses.

@@ -83,7 +83,7 @@ void GeometryCompiler::expect(std::size_t statements)
 void GeometryCompiler::add(const scene::Object& object)
 {
     default_texture_ = {description_.default_of(object)};
-    automatic_interiors_.clear();
+    automatic_interior_.reset();
     light_groups_.clear();
     interior_copies_.clear();
     collect_lights(object, {});
@@ -128,9 +128,7 @@ GeometryCompiler::Inherited GeometryCompiler::below(const scene::Object& object,
     const auto in_world = [&](const scene::TexturePtr& t) {
         return own.uv_mapping ? PlacedTexture{t} : moved(t, above.to_world);
     };
-    if (object.details->interior) own.legacy_finish = {};
     if (object.texture) own.texture = in_world(object.texture);
-    if (object.texture && carries_legacy_finish(own.texture.texture)) own.legacy_finish = own.texture;
     if (object.details->interior_texture) own.interior_texture = in_world(object.details->interior_texture);
     if (object.flags.hollow) own.hollow = object.flags.hollow;
     own.no_shadow = above.no_shadow || shadowless(object);
@@ -163,7 +161,15 @@ GeometryCompiler::Inherited GeometryCompiler::within(const scene::Object& operan
 {
     Inherited own = below(operand, whole);
     own.no_shadow = whole.no_shadow;
+    take_finish(operand, own);
     return own;
+}
+
+/// An old finish keyword of a CSG object changes the interior before those of its parts do: the last one stays.
+void GeometryCompiler::take_finish(const scene::Object& object, const Inherited& own)
+{
+    if (sharing_ == nullptr && !clipping_ && own.texture && std::holds_alternative<scene::Csg>(object.shape))
+        interior(own, own.texture);
 }
 
 std::uint32_t GeometryCompiler::light_group(const scene::Object& object, const csg::Transform& to_world)
@@ -186,6 +192,7 @@ void GeometryCompiler::add_top(const scene::Object& object, const Inherited& abo
 {
     if (is_light(object)) return;
     Inherited own = below(object, above);
+    take_finish(object, own);
     if (!object.details->bounded_by.empty() && !object.details->bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.details->clipped_by.empty() || object.inverse;
@@ -220,7 +227,8 @@ std::uint32_t GeometryCompiler::add_object(const scene::Object& object, const In
 {
     if (sharing_ != nullptr) return 0;
     known_surfaces_.clear();  // they name their object
-    out_.objects.push_back({interior(own, own.texture ? own.texture : default_texture_), object.source, statement_});
+    const bool shows_default = !own.texture && !std::holds_alternative<scene::Csg>(object.shape);
+    out_.objects.push_back({interior(own, shows_default ? default_texture_ : own.texture), object.source, statement_});
     return static_cast<std::uint32_t>(out_.objects.size() - 1);
 }
 

@@ -23,7 +23,6 @@ bool mesh_is_solid(const scene::MeshData& mesh);
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
 /// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
-bool carries_legacy_finish(const scene::TexturePtr& texture);
 
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its
 /// parents (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays
@@ -49,7 +48,6 @@ private:
         PlacedTexture texture, interior_texture;
         std::shared_ptr<const scene::Interior> interior;
         std::uint32_t interior_copy = 0;  ///< interior_copy()
-        PlacedTexture legacy_finish;      ///< of the object that gave the interior, if an old finish keyword changes it
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
@@ -64,6 +62,7 @@ private:
     Inherited below(const scene::Object& object, const Inherited& above);
     /// The same of an operand of what stays whole, whose own `no_shadow` has no effect (spec 3, 14).
     Inherited within(const scene::Object& operand, const Inherited& whole);
+    void take_finish(const scene::Object& object, const Inherited& own);
     void add_top(const scene::Object& object, const Inherited& above);
     void add_operands(const scene::Csg& csg, const Inherited& own);
     void add_guard(const scene::Object& object, const Inherited& own);
@@ -137,7 +136,7 @@ private:
         std::array<PlacedTexture, 2> corners;
     };
     /// All that tells two of them apart.
-    using SharedKey = std::tuple<std::array<PlacedTexture, 5>, const scene::Interior*, std::uint32_t,
+    using SharedKey = std::tuple<std::array<PlacedTexture, 4>, const scene::Interior*, std::uint32_t,
                                  std::optional<bool>, std::optional<float>, std::uint32_t>;
     /// An object that many statements show.
     struct Shared {
@@ -148,6 +147,7 @@ private:
         std::vector<SharedSurface> surfaces;                         ///< by the world's SurfaceId
         std::map<SharedKey, csg::SurfaceId> known;                   ///< of them
         std::uint32_t first_interior_copy = 0, interior_copies = 0;  ///< of its parts; each instance has as many
+        std::size_t old_finishes = 0;                                ///< of its surfaces
         bool fails = false;                                          ///< it cannot be shared
     };
     void make_shared_world(const scene::Object& object, Shared& shared);
@@ -180,9 +180,8 @@ private:
     std::map<std::pair<const void*, std::size_t>, bool> held_;  ///< by operands and size of the bound
     bool bounds_inside_ = false;  ///< some operand of the CSG object at hand reaches beyond its own bounds
     csg::Aabb starts_;            ///< camera_starts()
-    /// Interiors made for the statement at hand where the text gives none: by texture with a legacy finish, else null.
-    std::map<PlacedTexture, std::uint32_t> automatic_interiors_;
-    ByPlace<std::uint32_t> light_groups_;  ///< of the statement at hand; 0: none yet
+    std::optional<std::uint32_t> automatic_interior_;  ///< of all that the text gives none in the statement at hand
+    ByPlace<std::uint32_t> light_groups_;              ///< of the statement at hand; 0: none yet
     std::uint32_t light_group_count_ = 0;
     using SurfaceKey = std::array<std::uint32_t, 11>;
     std::map<SurfaceKey, csg::SurfaceId> known_surfaces_;

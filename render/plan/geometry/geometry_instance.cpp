@@ -41,6 +41,15 @@ bool tied_to_scene(const csg::SolidStore& store)
                        [](const csg::Freeform& solid) { return solid.has_open_surface(); });
 }
 
+/// Whether what a finish says with old keywords depends on the order of the surfaces that share an interior.
+bool has_old_finish(const scene::TexturePtr& texture)
+{
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers == nullptr || layers->empty()) return false;
+    const scene::Finish& finish = *layers->back().finish;
+    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f || finish.legacy_refraction != 1.0f;
+}
+
 }  // namespace
 
 bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
@@ -72,8 +81,6 @@ bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited
         };
         if (known.own.texture) here.texture = in_world(known.own.texture);
         if (known.own.interior_texture) here.interior_texture = in_world(known.own.interior_texture);
-        if (known.own.interior) here.legacy_finish = {};
-        if (known.own.legacy_finish) here.legacy_finish = in_world(known.own.legacy_finish);
         if (known.own.interior) {
             here.interior = moved(known.own.interior, own.to_world);
             here.interior_copy = first_copy + known.own.interior_copy - shared.first_interior_copy;
@@ -120,7 +127,7 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
                                 (own.no_radiosity ? 8u : 0u) | (own.double_illuminate ? 16u : 0u) |
                                 (own.uv_mapping ? 32u : 0u);
     const auto [known, fresh] =
-        sharing_->known.try_emplace({{own.texture, own.interior_texture, own.legacy_finish, corners[0], corners[1]},
+        sharing_->known.try_emplace({{own.texture, own.interior_texture, corners[0], corners[1]},
                                      own.interior.get(),
                                      own.interior_copy,
                                      own.hollow,
@@ -128,6 +135,7 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
                                      flags},
                                     static_cast<csg::SurfaceId>(sharing_->surfaces.size()));
     if (fresh) sharing_->surfaces.push_back({own, corners});
+    if (fresh && has_old_finish(own.texture.texture)) sharing_->fails |= sharing_->old_finishes++ != 0;
     return known->second;
 }
 

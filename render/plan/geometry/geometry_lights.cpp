@@ -40,10 +40,10 @@ void GeometryCompiler::add_light(const scene::Object& object, const scene::Light
     if (!light.looks_like) return;
     Inherited own = above;
     own.no_shadow = true;
-    automatic_interiors_.clear();
+    automatic_interior_.reset();
     collect_lights(*light.looks_like, own);
     add_top(*light.looks_like, own);
-    automatic_interiors_.clear();
+    automatic_interior_.reset();
 }
 
 void GeometryCompiler::drop_unseen_lights()

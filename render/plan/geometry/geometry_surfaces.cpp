@@ -6,14 +6,6 @@
 /// What the surfaces of solids are drawn with: textures and interiors where they stand, shared by copies.
 namespace plan {
 
-bool carries_legacy_finish(const scene::TexturePtr& texture)
-{
-    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
-    if (layers == nullptr || layers->empty()) return false;
-    const scene::Finish& finish = *layers->back().finish;
-    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f;
-}
-
 csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<PlacedTexture, 2>& corners,
                                          const std::vector<std::uint32_t>& parts)
 {
@@ -57,17 +49,10 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
 
 std::uint32_t GeometryCompiler::interior(const Inherited& own, const PlacedTexture& texture)
 {
-    std::uint32_t index = kNone;
-    const bool carries = carries_legacy_finish(texture.texture);
-    const PlacedTexture& by = carries || !own.legacy_finish ? texture : own.legacy_finish;
-    if (own.interior) {
-        index = interiors_.interior(*own.interior, own.interior_copy, by.texture.get());
-    } else {
-        const PlacedTexture key = carries || own.legacy_finish ? by : PlacedTexture{};
-        const auto known = automatic_interiors_.find(key);
-        index = known != automatic_interiors_.end() ? known->second : interiors_.automatic(by.texture.get());
-        if (known == automatic_interiors_.end()) automatic_interiors_.emplace(key, index);
-    }
+    if (!own.interior && !automatic_interior_) automatic_interior_ = interiors_.automatic();
+    const std::uint32_t index = own.interior ? interiors_.interior(*own.interior, own.interior_copy)
+                                             : *automatic_interior_;
+    interiors_.take_finish(index, texture.texture.get());
     out_.interiors[index].hollow = own.hollow.value_or(false);  // the last one that shares it decides (spec 5a, 10.3)
     return index;
 }

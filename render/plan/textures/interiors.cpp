@@ -27,25 +27,9 @@ Interior converted(const scene::Interior& from)
     return to;
 }
 
-/// The top finish overrides the interior, and its `refraction` does so even when not written (spec 3, 8.7).
-void take_legacy_finish(const scene::Texture* texture, Interior& to)
-{
-    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
-    if (layers && !layers->empty()) {
-        const scene::Finish& finish = *layers->back().finish;
-        to.transmission = finish.legacy_refraction;
-        if (finish.legacy_ior >= 0.0f) {
-            to.ior = finish.legacy_ior == 0.0f ? 1.0f : finish.legacy_ior;
-            to.dispersion = 1.0f;
-        }
-        if (finish.legacy_caustics >= 0.0f) to.caustics_power = finish.legacy_caustics;
-    }
-}
-
 }  // namespace
 
-std::uint32_t InteriorCompiler::interior(const scene::Interior& description, std::uint32_t copy,
-                                         const scene::Texture* texture)
+std::uint32_t InteriorCompiler::interior(const scene::Interior& description, std::uint32_t copy)
 {
     if (copy >= known_.size()) known_.resize(copy + 1, kUnknown);
     std::uint32_t& index = known_[copy];
@@ -54,14 +38,27 @@ std::uint32_t InteriorCompiler::interior(const scene::Interior& description, std
         out_.push_back(converted(description));
         out_[index].media = media_.list(description.media);
     }
-    take_legacy_finish(texture, out_[index]);
     return index;
 }
 
-std::uint32_t InteriorCompiler::automatic(const scene::Texture* texture)
+std::uint32_t InteriorCompiler::automatic()
 {
-    take_legacy_finish(texture, out_.emplace_back());
+    out_.emplace_back();
     return static_cast<std::uint32_t>(out_.size() - 1);
+}
+
+void InteriorCompiler::take_finish(std::uint32_t index, const scene::Texture* texture)
+{
+    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    if (layers == nullptr || layers->empty()) return;
+    const scene::Finish& finish = *layers->back().finish;
+    Interior& to = out_[index];
+    to.transmission = finish.legacy_refraction;  // written or not
+    if (finish.legacy_ior >= 0.0f) {
+        to.ior = finish.legacy_ior == 0.0f ? 1.0f : finish.legacy_ior;
+        to.dispersion = 1.0f;
+    }
+    if (finish.legacy_caustics >= 0.0f) to.caustics_power = finish.legacy_caustics;
 }
 
 }  // namespace plan

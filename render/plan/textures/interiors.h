@@ -14,10 +14,11 @@ class InteriorCompiler {
 public:
     InteriorCompiler(std::vector<Interior>& out, MediaCompiler& media) : out_(out), media_(media) {}
 
-    /// `texture` is the object's own: its top finish may carry the legacy `ior` and `caustics` (spec 3, 8.7).
-    std::uint32_t interior(const scene::Interior& description, std::uint32_t copy, const scene::Texture* texture);
-    /// A new one, of an object without an interior in the text.
-    std::uint32_t automatic(const scene::Texture* texture);
+    std::uint32_t interior(const scene::Interior& description, std::uint32_t copy);
+    /// A new one, of a statement without an interior in the text.
+    std::uint32_t automatic();
+    /// Changes an interior to what the top finish of an object's texture says with old keywords (spec 3, 8.7).
+    void take_finish(std::uint32_t index, const scene::Texture* texture);
 
 private:
     static constexpr std::uint32_t kUnknown = 0xffffffffu;
