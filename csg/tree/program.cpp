@@ -110,18 +110,6 @@ void drop_useless(Draft& draft, Pruning& pruning)
             draft.operands, [](const Draft& operand) { return !operand.inside_beyond && operand.box.empty(); });
 }
 
-/// Operands of the same operator join their parent. An intersection reverses the crossings of its operands, so the
-/// operands of one inside another join in reverse: which of two coincident faces is last stays the same.
-void join(Draft& draft, Draft operand)
-{
-    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Guard || draft.op == Op::Merge) {
-        draft.operands.push_back(std::move(operand));
-        return;
-    }
-    if (draft.op == Op::Intersection) std::reverse(operand.operands.begin(), operand.operands.end());
-    for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
-}
-
 /// Whether an operator turns the order of the crossings of each operand round (spec 5a, 2.2). A union does so only
 /// where it is clipped, which its draft is made with.
 bool turns_order(Op op) { return op == Op::Intersection || op == Op::Merge; }
@@ -131,6 +119,18 @@ void turn_order(Draft& draft)
 {
     if (draft.op != Op::Clip && draft.op != Op::Guard) std::reverse(draft.operands.begin(), draft.operands.end());
     for (Draft& operand : draft.operands) turn_order(operand);
+}
+
+/// Operands of the same operator join their parent. An intersection turns the order of its operands' crossings, which
+/// the one inside it did too: which of two coincident faces is last stays the same.
+void join(Draft& draft, Draft operand)
+{
+    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Guard || draft.op == Op::Merge) {
+        draft.operands.push_back(std::move(operand));
+        return;
+    }
+    if (draft.op == Op::Intersection) turn_order(operand);
+    for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
 }
 
 /// How often a tree was turned inside out, its parents' turns counted.

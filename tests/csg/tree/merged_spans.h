@@ -128,7 +128,7 @@ private:
             if (node.op == csg::Op::Clip && k != i + 1) break;
             Crossings own = drawn(k, t_min);
             if (node.op != csg::Op::Union) {
-                std::reverse(own.begin(), own.end());
+                if (node.op != csg::Op::Clip) std::reverse(own.begin(), own.end());
                 for (std::uint32_t other = i + 1; other < node.end; other = nodes_[other].end)
                     if (other != k) keep(own, inside(other), node.op != csg::Op::Merge);
             }
