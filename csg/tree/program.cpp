@@ -1,191 +1,14 @@
 #include "csg/tree/program.h"
+
 #include "csg/tree/contains.h"
+#include "csg/tree/draft.h"
 
-#include "csg/tree/polyhedron_box.h"
-#include "csg/tree/quadric_box.h"
-
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace csg {
 
 namespace {
-
-/// A tree without Difference and without inversion above the leaves.
-struct Draft {
-    Op op = Op::Leaf;
-    std::vector<Draft> operands = {};
-    PartId solid = kNoPart;
-    bool inverted = false;
-    Aabb box = {};
-    std::optional<Plane> half_space = {};  ///< a plane's leaf, turned round if inverted
-    bool inside_beyond = false;
-};
-
-bool apart(const Aabb& a, const Aabb& b) { return a.intersected(b).empty(); }
-
-/// Whether a solid has an inside at all.
-template <class T>
-bool bounds_space(const T& solid)
-{
-    if constexpr (std::is_same_v<T, Mesh>) return solid.solid();
-    else if constexpr (std::is_same_v<T, Freeform>) return !solid.surface();
-    else return !std::is_same_v<T, Triangle>;
-}
-
-Draft leaf(PartId part, bool inverted, const SolidStore& store)
-{
-    Draft made{.solid = part, .inverted = inverted};
-    with_solid(store, part, [&](const auto& solid) {
-        using T = std::decay_t<decltype(solid)>;
-        if constexpr (std::is_same_v<T, Plane>) {  // the other half-space is as good a solid
-            made.half_space = inverted ? Plane{-solid.normal_out, -solid.offset} : solid;
-            made.box = made.half_space->bounds();
-        } else {
-            made.box = solid.bounds();
-            made.inside_beyond = inverted && bounds_space(solid);
-        }
-    });
-    return made;
-}
-
-bool holds_operands(const Draft& draft) { return draft.op == Op::Intersection || draft.op == Op::Clip; }
-
-/// Half-spaces and quadrics that hold all of an intersection, those of intersections inside of it among them.
-void gather(const Draft& draft, const SolidStore& store, std::vector<Plane>& planes,
-            std::vector<const Quadric*>& quadrics)
-{
-    for (const Draft& operand : draft.operands) {
-        if (operand.half_space) planes.push_back(*operand.half_space);
-        else if (operand.op == Op::Leaf && !operand.inverted && kind_of(operand.solid) == SolidKind::Quadric)
-            quadrics.push_back(&store.all<Quadric>()[index_of(operand.solid)]);
-        else if (holds_operands(operand)) gather(operand, store, planes, quadrics);
-    }
-}
-
-/// Box of an intersection: what operands without an end leave of its operands' common box, which may be open.
-Aabb closed_box(const Draft& draft, const SolidStore& store)
-{
-    std::vector<Plane> planes;
-    std::vector<const Quadric*> quadrics;
-    gather(draft, store, planes, quadrics);
-    Aabb box = draft.box.finite() ? draft.box : polyhedron_box(planes, draft.box);
-    for (const Quadric* quadric : quadrics) box = quadric_box(*quadric, planes, box);
-    return box;
-}
-
-/// Box and what lies beyond it, from the operands'.
-void enclose(Draft& draft, const SolidStore& store)
-{
-    if (draft.op == Op::Guard) {
-        draft.box = draft.operands[0].box;
-        draft.inside_beyond = draft.operands[0].inside_beyond;
-        return;
-    }
-    const bool both = holds_operands(draft);
-    Aabb hull, common = Aabb::everything();
-    bool any_beyond = false, all_beyond = true;
-    for (const Draft& operand : draft.operands) {
-        hull.include(operand.box);
-        any_beyond = any_beyond || operand.inside_beyond;
-        all_beyond = all_beyond && operand.inside_beyond;
-        if (!operand.inside_beyond) common = common.intersected(operand.box);
-    }
-    draft.inside_beyond = both ? all_beyond : any_beyond;
-    draft.box = both && !all_beyond ? common : hull;
-    if (both && !all_beyond && !draft.box.empty()) draft.box = closed_box(draft, store);
-    if (draft.box.empty()) draft.box = Aabb{};
-}
-
-/// Operands of an intersection that hold all of it and draw nothing in it: subtrahends elsewhere.
-void drop_useless(Draft& draft, Pruning& pruning)
-{
-    if (!pruning.on) return;
-    if (draft.op == Op::Intersection && !draft.inside_beyond)
-        pruning.dropped += std::erase_if(draft.operands, [&](const Draft& operand) {
-            return operand.inside_beyond && apart(operand.box, draft.box);
-        });
-    if (draft.op == Op::Union || draft.op == Op::Merge)
-        pruning.dropped += std::erase_if(
-            draft.operands, [](const Draft& operand) { return !operand.inside_beyond && operand.box.empty(); });
-}
-
-/// Whether an operator turns the order of the crossings of each operand round (spec 5a, 2.2). A union does so only
-/// where it is clipped, which its draft is made with.
-bool turns_order(Op op) { return op == Op::Intersection || op == Op::Merge; }
-
-/// Turns the order of the crossings round, as an operator did that is no longer there.
-void turn_order(Draft& draft)
-{
-    if (draft.op != Op::Clip && draft.op != Op::Guard) std::reverse(draft.operands.begin(), draft.operands.end());
-    for (Draft& operand : draft.operands) turn_order(operand);
-}
-
-/// Operands of the same operator join their parent. An intersection turns the order of its operands' crossings, which
-/// the one inside it did too: which of two coincident faces is last stays the same.
-void join(Draft& draft, Draft operand)
-{
-    if (operand.op != draft.op || draft.op == Op::Clip || draft.op == Op::Guard || draft.op == Op::Merge) {
-        draft.operands.push_back(std::move(operand));
-        return;
-    }
-    if (draft.op == Op::Intersection) turn_order(operand);
-    for (Draft& inner : operand.operands) draft.operands.push_back(std::move(inner));
-}
-
-/// How often a tree was turned inside out, its parents' turns counted.
-struct Turns {
-    bool inverted = false, ever = false;
-    Turns flipped(bool again) const { return again ? Turns{!inverted, true} : *this; }
-};
-
-Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning);
-
-Draft shape_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning)
-{
-    const bool inverted = turns.inverted;
-    if (tree.op == Tree::Op::Leaf) return leaf(tree.solid, inverted, store);
-    Draft made;
-    const bool unites = tree.op == Tree::Op::Union || tree.op == Tree::Op::Merge;
-    if (unites)
-        made.op = inverted                                    ? Op::Intersection
-                  : tree.op == Tree::Op::Union && !turns.ever ? Op::Union
-                                                              : Op::Merge;  // twice turned it has no inner surfaces
-    else made.op = inverted ? Op::Merge : Op::Intersection;
-    const bool turned_by_clip = made.op == Op::Union && !tree.clips.empty();
-    for (std::size_t i = 0; i < tree.operands.size(); ++i) {
-        const bool subtracted = tree.op == Tree::Op::Difference && i > 0;
-        Draft operand = draft_of(tree.operands[i], turns.flipped(subtracted), store, pruning);
-        if (turned_by_clip) turn_order(operand);
-        join(made, std::move(operand));
-    }
-    enclose(made, store);
-    drop_useless(made, pruning);
-    if (made.operands.size() == 1) {
-        Draft only = std::move(made.operands.front());
-        if (turns_order(made.op)) turn_order(only);
-        return only;
-    }
-    return made;
-}
-
-/// The shape with others that do something to it and are not drawn.
-Draft under(Op op, Draft shape, const std::vector<Tree>& others, const SolidStore& store, Pruning& pruning)
-{
-    if (others.empty()) return shape;
-    Draft made{.op = op};
-    made.operands.push_back(std::move(shape));
-    for (const Tree& other : others) made.operands.push_back(draft_of(other, {}, store, pruning));
-    enclose(made, store);
-    return made;
-}
-
-Draft draft_of(const Tree& tree, Turns turns, const SolidStore& store, Pruning& pruning)
-{
-    Draft clipped =
-        under(Op::Clip, shape_of(tree, turns.flipped(tree.inverse), store, pruning), tree.clips, store, pruning);
-    return under(Op::Guard, std::move(clipped), tree.bounds, store, pruning);
-}
 
 float down(double v)
 {
@@ -243,15 +66,21 @@ void describe_leaf(Node& node, const SolidStore& store)
 }
 
 /// Appends the draft's nodes.
-void flatten(const Draft& draft, const SolidStore& store, std::uint32_t parent, bool drawn, Program& program)
+void flatten(const Draft& draft, const SolidStore& store, std::uint32_t parent, bool drawn, bool reversed,
+             Program& program)
 {
+    reversed = reversed != draft.reversed;
+    const bool backwards = reversed && draft.op != Op::Clip &&
+                           draft.op != Op::Guard;  // of these the first is the shape
+    const std::size_t count = draft.operands.size();
     const auto at = static_cast<std::uint32_t>(program.nodes.size());
     program.nodes.emplace_back();
     bool all_quick = true, mixed = false;
-    for (std::size_t k = 0; k < draft.operands.size(); ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         const auto operand = static_cast<std::uint32_t>(program.nodes.size());
         const bool seen = k == 0 || draft.op == Op::Guard || draft.op != Op::Clip;
-        flatten(draft.operands[k], store, at, (drawn || (draft.op == Op::Guard && k > 0)) && seen, program);
+        flatten(draft.operands[backwards ? count - 1 - k : k], store, at,
+                (drawn || (draft.op == Op::Guard && k > 0)) && seen, reversed, program);
         mixed = mixed || (!all_quick && program.nodes[operand].quick);
         all_quick = all_quick && program.nodes[operand].quick;
     }
@@ -285,7 +114,7 @@ void rank_leaves(std::vector<Node>& nodes, std::uint32_t i, bool turned, std::ui
     std::vector<std::uint32_t> operands;
     for (std::uint32_t k = i + 1; k < nodes[i].end; k = nodes[k].end) operands.push_back(k);
     if (turned) std::reverse(operands.begin(), operands.end());
-    for (const std::uint32_t k : operands) rank_leaves(nodes, k, turned != turns_order(nodes[i].op), rank);
+    for (const std::uint32_t k : operands) rank_leaves(nodes, k, turned != reverses(nodes[i].op), rank);
 }
 
 /// Whether an operator's answer is the same without an operand whose box the ray misses.
@@ -369,11 +198,11 @@ std::vector<MergedSolid> merged_solids(const Program& program, const SolidStore&
 Program build(const Tree& tree, const SolidStore& store, Pruning* pruning)
 {
     Pruning usual;
-    const Draft draft = draft_of(tree, {}, store, pruning != nullptr ? *pruning : usual);
+    const Draft draft = draft_of(tree, store, pruning != nullptr ? *pruning : usual);
     Program program;
     if (draft.op != Op::Leaf && draft.operands.empty()) return program;
     if (draft.op == Op::Leaf && draft.solid == kNoPart) return program;
-    flatten(draft, store, 0, true, program);
+    flatten(draft, store, 0, true, false, program);
     std::uint32_t rank = 0;
     rank_leaves(program.nodes, 0, false, rank);
     add_sieves(program);

@@ -22,9 +22,9 @@ struct Surface {
     std::uint32_t interior = kNone;          ///< index into CompiledScene::interiors; identity decides refraction
     std::uint32_t object = kNone;            ///< top-level object after splitting unions, in order of declaration
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
-    float importance = 1;      ///< of radiosity rays that meet it, above 0 to 1 (spec 6, 4.4)
-    bool opaque = true;        ///< a shadow ray may stop here: no light comes through (spec 3, 13.2)
-    bool opaque_mesh = false;  ///< of a mesh whose faces are all opaque: in shadows `interior_texture` is not asked
+    float importance = 1;         ///< of radiosity rays that meet it, above 0 to 1 (spec 6, 4.4)
+    bool opaque = true;           ///< a shadow ray may stop here: no light comes through (spec 3, 13.2)
+    bool opaque_outside = false;  ///< of a mesh or blob that is opaque: in shadows `interior_texture` is not asked
     bool uv_mapping = false;
     std::uint32_t light_group = 0;  ///< the innermost light_group that it stands in; 0: none
     bool global_lights = true;      ///< lights outside of all groups reach it

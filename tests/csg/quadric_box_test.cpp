@@ -1,4 +1,4 @@
-#include "csg/tree/quadric_box.h"
+#include "csg/tree/boxes/quadric_box.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #include "render/plan/geometry/extent.h"
 
 #include "csg/freeform/freeform.h"
-#include "csg/tree/quadric_box.h"
+#include "csg/tree/boxes/quadric_box.h"
 #include "render/plan/geometry/solids.h"
 
 #include <algorithm>

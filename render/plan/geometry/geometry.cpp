@@ -165,7 +165,6 @@ GeometryCompiler::Inherited GeometryCompiler::within(const scene::Object& operan
     return own;
 }
 
-/// An old finish keyword of a CSG object changes the interior before those of its parts do: the last one stays.
 void GeometryCompiler::take_finish(const scene::Object& object, const Inherited& own)
 {
     if (sharing_ == nullptr && !clipping_ && own.texture && std::holds_alternative<scene::Csg>(object.shape))
@@ -339,8 +338,14 @@ csg::Tree GeometryCompiler::clip_tree(const scene::Object& clip, const csg::Tran
 csg::SurfaceId GeometryCompiler::shape_surface(const scene::Object& object, const Inherited& own)
 {
     const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
-    if (freeform == nullptr || !freeform->part_textures || freeform->part_textures->empty()) return surface(own);
+    const bool in_parts = freeform != nullptr && freeform->part_textures && !freeform->part_textures->empty();
+    const bool blob = freeform != nullptr && std::holds_alternative<csg::Blob>(freeform->shape->kind);
+    if (!in_parts && !(blob && own.interior_texture)) return surface(own);
     Inherited outside = own;
+    if (!in_parts) {
+        outside.opaque_outside = opaque_outside({}, own);
+        return surface(outside);
+    }
     outside.interior_texture = {};  // POV-Ray shows the parts on both sides (spec 5a, 5.11)
     std::vector<std::uint32_t> parts;
     for (const scene::TexturePtr& texture : *freeform->part_textures) {

@@ -22,8 +22,6 @@ bool mesh_is_solid(const scene::MeshData& mesh);
 /// 5a, 8.3).
 bool takes_cut_texture(const scene::Object& operand, bool subtracted);
 
-/// Whether an old finish keyword changes the interior of the object (spec 3, 8.7).
-
 /// Flattens the tree of objects: world transformations, unions split at top level, what a node inherits from its
 /// parents (spec 3, 14 and 15; spec 5a, 8.3 and 11.1), one Surface per combination in use, CSG trees for what stays
 /// together.
@@ -51,7 +49,7 @@ private:
         std::optional<bool> hollow;
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false, uv_mapping = false;
         bool no_radiosity = false;
-        bool opaque_mesh = false;         ///< Surface::opaque_mesh
+        bool opaque_outside = false;      ///< Surface::opaque_outside
         std::optional<float> importance;  ///< Surface::importance; nothing: 1
         std::uint32_t light_group = 0;    ///< Surface::light_group
         bool global_lights = true;
@@ -62,6 +60,7 @@ private:
     Inherited below(const scene::Object& object, const Inherited& above);
     /// The same of an operand of what stays whole, whose own `no_shadow` has no effect (spec 3, 14).
     Inherited within(const scene::Object& operand, const Inherited& whole);
+    /// An old finish keyword of a CSG object changes the interior before those of its parts do (spec 3, 8.7).
     void take_finish(const scene::Object& object, const Inherited& own);
     void add_top(const scene::Object& object, const Inherited& above);
     void add_operands(const scene::Csg& csg, const Inherited& own);
@@ -114,7 +113,7 @@ private:
     };
     const SharedMesh& shared_mesh(const std::shared_ptr<const scene::MeshData>& mesh);
     csg::PartId mesh_part(const scene::Mesh& mesh, const Inherited& own, bool textures_stay);
-    bool opaque_mesh(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own);
+    bool opaque_outside(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own);
     csg::SurfaceId mesh_surface(const std::array<PlacedTexture, 3>& corners, const Inherited& own);
     std::uint32_t interior(const Inherited& own, const PlacedTexture& texture);
     PlacedTexture moved(const scene::TexturePtr& texture, const csg::Transform& to_world);

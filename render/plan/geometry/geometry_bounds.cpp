@@ -1,5 +1,5 @@
 #include "csg/tree/held.h"
-#include "csg/tree/quadric_box.h"
+#include "csg/tree/boxes/quadric_box.h"
 #include "csg/world/world.h"
 #include "render/plan/geometry/extent.h"
 #include "render/plan/geometry/geometry.h"

@@ -41,15 +41,6 @@ bool tied_to_scene(const csg::SolidStore& store)
                        [](const csg::Freeform& solid) { return solid.has_open_surface(); });
 }
 
-/// Whether what a finish says with old keywords depends on the order of the surfaces that share an interior.
-bool has_old_finish(const scene::TexturePtr& texture)
-{
-    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
-    if (layers == nullptr || layers->empty()) return false;
-    const scene::Finish& finish = *layers->back().finish;
-    return finish.legacy_ior >= 0.0f || finish.legacy_caustics >= 0.0f || finish.legacy_refraction != 1.0f;
-}
-
 }  // namespace
 
 bool GeometryCompiler::add_instance(const scene::Object& object, const Inherited& own)
@@ -135,7 +126,8 @@ csg::SurfaceId GeometryCompiler::shared_surface(const Inherited& own, const std:
                                      flags},
                                     static_cast<csg::SurfaceId>(sharing_->surfaces.size()));
     if (fresh) sharing_->surfaces.push_back({own, corners});
-    if (fresh && has_old_finish(own.texture.texture)) sharing_->fails |= sharing_->old_finishes++ != 0;
+    // Of several the last one stays, and the order of all parts is not kept here.
+    if (fresh && has_old_finish(own.texture.texture.get())) sharing_->fails |= sharing_->old_finishes++ != 0;
     return known->second;
 }
 

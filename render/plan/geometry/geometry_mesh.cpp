@@ -61,7 +61,7 @@ csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited
     for (const auto& [first, second, third] : shared.slots)
         slots.push_back({in_world(first), in_world(second), in_world(third)});
     Inherited faces = own;
-    faces.opaque_mesh = opaque_mesh(slots, own);
+    faces.opaque_outside = opaque_outside(slots, own);
     for (const auto& corners : slots) {
         made.blends = made.blends || corners[0] != corners[1] || corners[0] != corners[2];
         made.surfaces.push_back(clipping_ ? csg::kNoSurface : mesh_surface(corners, faces));
@@ -69,8 +69,9 @@ csg::PartId GeometryCompiler::mesh_part(const scene::Mesh& mesh, const Inherited
     return world_->store.add(made, made.surfaces.empty() ? csg::kNoSurface : made.surfaces.front());
 }
 
-/// Whether a mesh and all of its faces are opaque, so that its `interior_texture` lets no light through (spec 3, 13.2).
-bool GeometryCompiler::opaque_mesh(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own)
+/// Whether a mesh with the textures of its faces, or a blob, is opaque, so that its `interior_texture` lets no light
+/// through (spec 3, 13.2).
+bool GeometryCompiler::opaque_outside(const std::vector<std::array<PlacedTexture, 3>>& slots, const Inherited& own)
 {
     if (!own.interior_texture || clipping_) return false;  // nothing would change
     if (sharing_ != nullptr) {                             // copies may have other textures

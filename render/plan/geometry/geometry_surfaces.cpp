@@ -31,13 +31,13 @@ csg::SurfaceId GeometryCompiler::surface(const Inherited& own, const std::array<
     s.double_illuminate = own.double_illuminate;
     if (has_radiosity(description_.global, options_.quality)) s.importance = own.importance.value_or(1.0f);
     s.uv_mapping = own.uv_mapping;
-    s.opaque_mesh = own.opaque_mesh;
+    s.opaque_outside = own.opaque_outside;
     s.light_group = own.light_group;
     s.global_lights = own.global_lights;
     s.photons = photon_surface(own);
     const std::uint32_t flags = (s.no_shadow ? 1u : 0u) | (s.no_image ? 2u : 0u) | (s.no_reflection ? 4u : 0u) |
                                 (s.double_illuminate ? 8u : 0u) | (s.uv_mapping ? 16u : 0u) |
-                                (s.global_lights ? 32u : 0u) | (s.opaque_mesh ? 64u : 0u);
+                                (s.global_lights ? 32u : 0u) | (s.opaque_outside ? 64u : 0u);
     const auto id = static_cast<csg::SurfaceId>(out_.surfaces.size());
     const auto [known, fresh] = known_surfaces_.try_emplace(
         {s.texture, s.interior_texture, s.interior, s.object, flags, s.corner_textures[0], s.corner_textures[1],

@@ -29,7 +29,7 @@ Light least_of(const CompiledScene& scene, const std::vector<Light>& through, co
         if (texture != kNone) least = std::min(least, through[texture]);
     };
     add(surface.texture);
-    if (!surface.opaque_mesh) add(surface.interior_texture);
+    if (!surface.opaque_outside) add(surface.interior_texture);
     for (const std::uint32_t corner : surface.corner_textures) add(corner);
     for (std::uint32_t k = 0; k < surface.part_count; ++k) add(scene.part_textures[surface.first_part + k]);
     return least;

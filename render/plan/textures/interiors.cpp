@@ -27,7 +27,21 @@ Interior converted(const scene::Interior& from)
     return to;
 }
 
+/// Null: the texture is patterned, or has no layer.
+const scene::Finish* top_finish(const scene::Texture* texture)
+{
+    const auto* layers = texture != nullptr ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
+    return layers != nullptr && !layers->empty() ? &*layers->back().finish : nullptr;
+}
+
 }  // namespace
+
+bool has_old_finish(const scene::Texture* texture)
+{
+    const scene::Finish* finish = top_finish(texture);
+    return finish != nullptr &&
+           (finish->legacy_ior >= 0.0f || finish->legacy_caustics >= 0.0f || finish->legacy_refraction != 1.0f);
+}
 
 std::uint32_t InteriorCompiler::interior(const scene::Interior& description, std::uint32_t copy)
 {
@@ -49,16 +63,15 @@ std::uint32_t InteriorCompiler::automatic()
 
 void InteriorCompiler::take_finish(std::uint32_t index, const scene::Texture* texture)
 {
-    const auto* layers = texture ? std::get_if<std::vector<scene::Layer>>(&texture->kind) : nullptr;
-    if (layers == nullptr || layers->empty()) return;
-    const scene::Finish& finish = *layers->back().finish;
+    const scene::Finish* finish = top_finish(texture);
+    if (finish == nullptr) return;
     Interior& to = out_[index];
-    to.transmission = finish.legacy_refraction;  // written or not
-    if (finish.legacy_ior >= 0.0f) {
-        to.ior = finish.legacy_ior == 0.0f ? 1.0f : finish.legacy_ior;
+    to.transmission = finish->legacy_refraction;  // written or not
+    if (finish->legacy_ior >= 0.0f) {
+        to.ior = finish->legacy_ior == 0.0f ? 1.0f : finish->legacy_ior;
         to.dispersion = 1.0f;
     }
-    if (finish.legacy_caustics >= 0.0f) to.caustics_power = finish.legacy_caustics;
+    if (finish->legacy_caustics >= 0.0f) to.caustics_power = finish->legacy_caustics;
 }
 
 }  // namespace plan

@@ -9,6 +9,9 @@
 
 namespace plan {
 
+/// Whether the top finish of a texture changes the interior by old keywords (spec 3, 8.7).
+bool has_old_finish(const scene::Texture* texture);
+
 /// Hands out one index per copy of an interior of the text.
 class InteriorCompiler {
 public:

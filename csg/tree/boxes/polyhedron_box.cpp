@@ -1,4 +1,4 @@
-#include "csg/tree/polyhedron_box.h"
+#include "csg/tree/boxes/polyhedron_box.h"
 
 #include <cmath>
 
