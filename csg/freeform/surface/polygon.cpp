@@ -12,16 +12,22 @@ constexpr std::size_t kMostBands = 256, kMostPlaces = 16;  // of an edge, on the
 
 }  // namespace
 
-Polygon::Polygon(std::vector<glm::dvec3> corners)
+Polygon::Polygon(std::vector<glm::dvec3> corners) : corners_(std::move(corners))
 {
-    for (const glm::dvec3& p : corners) corner_box_.include(p);
-    box_ = corner_box_;
+    for (const glm::dvec3& p : corners_) box_.include(p);
     for (int k = 0; k < 3; ++k)
         if (box_.upper[k] - box_.lower[k] < kLeastEdge) {
             box_.lower[k] -= kLeastEdge;
             box_.upper[k] += kLeastEdge;
         }
-    find_plane(corners);
+    find_plane(corners_);
+}
+
+Aabb Polygon::extent(const Transform& moved) const
+{
+    Aabb box;
+    for (const glm::dvec3& p : corners_) box.include(moved.point(p));
+    return box;
 }
 
 void Polygon::find_plane(const std::vector<glm::dvec3>& corners)

@@ -18,7 +18,7 @@ public:
     bool contains_inverted(const glm::dvec3&) const { return false; }
     glm::dvec3 gradient(const glm::dvec3&, std::uint32_t) const { return axes_[2]; }
     Aabb bounds() const { return box_; }
-    Aabb extent() const { return corner_box_; }
+    Aabb extent(const Transform& moved) const;  ///< of its corners
 
     static constexpr bool kSurface = true;  ///< touched, never entered
     static constexpr bool kClosed = false, kInverseClosed = false;
@@ -39,7 +39,8 @@ private:
     std::vector<Edge> edges_;        ///< band by band, those that reach into it; empty: nothing to draw
     std::vector<std::size_t> ends_;  ///< of the bands, in edges_
     double low_ = 0.0, high_ = 0.0, bands_per_unit_ = 0.0;
-    Aabb corner_box_, box_;  ///< the second a little thick
+    std::vector<glm::dvec3> corners_;
+    Aabb box_;  ///< of the corners, a little thick
 };
 
 }  // namespace csg

@@ -103,6 +103,7 @@ void read_background(SceneBuilder& build)
     BackgroundBlock::read(build, s);
     build.description.background = s.made;
     build.description.background_given = true;
+    build.description.background_before_37 = build.stream().language().effective_version() < 370;
 }
 
 }  // namespace parser

@@ -135,11 +135,13 @@ struct orient : item<Kind::Orient> {
         s.light().orient = true;
     }
 };
-std::shared_ptr<const scene::Object> read_inner(LightState& s, const char* what)
+/// An object within the light's statement; it is moved by `place` before its modifiers are read.
+std::shared_ptr<scene::Object> read_inner(LightState& s, const char* what, const glm::dvec3& place)
 {
     const auto opened = s.build.open_block(what);
     auto object = read_object(s.build);
     if (!object) s.build.fail_unknown("an object");
+    object->transform_by(csg::Transform::translate(place));
     read_modifiers(s.build, *object);
     s.build.close_block(what, opened);
     if (!object->drawn()) {
@@ -156,17 +158,15 @@ struct looks_like : item<Kind::LooksLike, reads<inner_block>> {
     static void act(LightState& s)
     {
         if (s.light().looks_like) s.fail("a light_source looks like one object only");
-        auto object = read_inner(s, "looks_like");
-        if (!object) return;
         // The lamp's body stands at the light and does not block it.
-        auto body = std::make_shared<scene::Object>(*object);
-        body->transform_by(csg::Transform::translate(s.light().location));
+        auto body = read_inner(s, "looks_like", s.light().location);
+        if (!body) return;
         body->flags.no_shadow = true;
         s.light().looks_like = std::move(body);
     }
 };
 struct projected_through : item<Kind::ProjectedThrough, reads<inner_block>> {
-    static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
+    static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through", glm::dvec3(0)); }
 };
 struct light_photons : item<Kind::Photons, reads<light_photons_block>> {
     static void act(LightState& s)

@@ -66,13 +66,10 @@ std::array<V, 3> legacy_sky(const texture::Sky& sky, ColorOf&& color_of)
 template <class ColorOf>
 scene::Color seen_sky(const texture::Sky& sky, bool mirrored, ColorOf&& color_of)
 {
-    if (sky.layers.empty()) {
-        scene::Color c = sky.background;
-        if (mirrored) c.filter = c.transmit = 0.0f;
-        return c;
-    }
-    if (!sky.legacy) return layered_sky(sky, sky.alpha_output && !mirrored, color_of);
-    if (sky.alpha_output && !mirrored) return {0, 0, 0, 0, 1};
+    const bool see_through = sky.alpha_output && !mirrored;
+    if (sky.layers.empty() && !see_through) return scene::Color::of(sky.background.rgb());
+    if (!sky.legacy) return layered_sky(sky, see_through, color_of);
+    if (see_through) return {0, 0, 0, 0, 1};
     const auto [red, green, blue] = legacy_sky<float>(sky, [&](std::size_t i) { return shade_of(color_of(i)); });
     return {red, green, blue, 0, 0};
 }

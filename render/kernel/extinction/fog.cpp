@@ -24,7 +24,8 @@ V mean_density(const V& a, const V& b)
     const V none(0.0), full(1.0), apart = a - b;
     const auto below_a = a <= none, below_b = b <= none;
     const auto bent = [](const auto& below, const V& height) { return choose(below, height, numbers::atan(height)); };
-    const auto level = (a > none) & (b > none) & (numbers::lanes::size_of(apart) <= V(kNearlyZero));
+    // Not a number, with a fog_alt of 0, counts as level: above the offset there is no fog then.
+    const auto level = (a > none) & (b > none) & !(numbers::lanes::size_of(apart) > V(kNearlyZero));
     const V mean = choose(level, full / (full + a * a), (bent(below_a, a) - bent(below_b, b)) / apart);
     return choose(below_a & below_b, full, mean);
 }

@@ -92,8 +92,10 @@ struct ShapeExtent {
 
     csg::Aabb operator()(const scene::Sphere& s) const
     {
-        if (const csg::Solid made = world_solid(s, t); const auto* sphere = std::get_if<csg::Sphere>(&made))
-            return {sphere->center - sphere->radius, sphere->center + sphere->radius};
+        if (const csg::Solid made = world_solid(s, t); const auto* sphere = std::get_if<csg::Sphere>(&made)) {
+            const double r = s.radius < 0.0 ? -sphere->radius : sphere->radius;
+            return {sphere->center - r, sphere->center + r};
+        }
         const double r = std::abs(s.radius);
         return corners_moved(t, {s.center - r, s.center + r});
     }
@@ -180,6 +182,12 @@ private:
 
 csg::Aabb extent(const scene::Object& object);
 
+bool is_height_field(const scene::Object& object)
+{
+    const auto* freeform = std::get_if<scene::Freeform>(&object.shape);
+    return freeform != nullptr && std::holds_alternative<csg::HeightField>(freeform->shape->kind);
+}
+
 /// A plane counts as a half-space inside an intersection, also turned round where it is subtracted.
 bool half_space(const scene::Object& operand, bool turned, csg::Aabb& box)
 {
@@ -201,7 +209,7 @@ csg::Aabb clip_box(const std::vector<scene::Object>& clips)
     csg::Aabb box = everything(), cut;
     for (const scene::Object& clip : clips) {
         if (half_space(clip, false, cut)) box = box.intersected(cut);
-        else if (!clip.inverse) box = box.intersected(extent(clip));
+        else if (!clip.inverse || box_ignores_inverse(clip)) box = box.intersected(extent(clip));
     }
     return box;
 }
@@ -256,12 +264,13 @@ csg::Aabb quadric_extent(const scene::Quadric& quadric, const csg::Transform& t)
     return turned(t * first.transform.inverted(), past.growth, box);
 }
 
-/// Narrows an intersection's box by an operand's; what is turned inside out says nothing, planes apart.
+/// Narrows an intersection's box by an operand's; what is turned inside out says nothing, planes apart, and no more do
+/// height fields.
 void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
 {
     csg::Aabb cut;
     if (!half_space(operand, subtracted, cut)) {
-        if (operand.inverse != subtracted) return;
+        if (is_height_field(operand) || (operand.inverse != subtracted && !box_ignores_inverse(operand))) return;
         cut = extent(operand);
         if (const scene::Quadric* const quadric = scene::quadric_of(operand))
             cut = smaller_quadric_box(cut, *quadric, *operand.transform,
@@ -289,7 +298,7 @@ csg::Aabb common(const std::vector<scene::Object>& bounds)
 {
     csg::Aabb box = everything();
     for (const scene::Object& bound : bounds)
-        if (!bound.inverse) box = box.intersected(extent(bound));
+        if (!bound.inverse || box_ignores_inverse(bound)) box = box.intersected(extent(bound));
     return box;
 }
 
@@ -311,6 +320,25 @@ csg::Aabb extent(const scene::Object& object)
 }  // namespace
 
 csg::Aabb described_extent(const scene::Object& object) { return extent(object); }
+
+bool box_inside_out(const scene::Object& object)
+{
+    const auto* sphere = std::get_if<scene::Sphere>(&object.shape);
+    return sphere != nullptr && sphere->radius < 0.0;
+}
+
+bool box_ignores_inverse(const scene::Object& object)
+{
+    const scene::Shape& shape = object.shape;
+    if (const auto* freeform = std::get_if<scene::Freeform>(&shape)) {
+        const auto& kind = freeform->shape->kind;
+        return std::holds_alternative<csg::Polygon>(kind) || std::holds_alternative<csg::Parametric>(kind) ||
+               std::holds_alternative<csg::BicubicPatch>(kind) ||
+               (std::holds_alternative<csg::Julia>(kind) && object.forgets_inverse);
+    }
+    return std::holds_alternative<scene::Triangle>(shape) ||
+           std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(shape);
+}
 
 bool finds_quadric_box(const scene::Object& object, const scene::Quadric& quadric)
 {

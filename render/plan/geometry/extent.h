@@ -8,7 +8,16 @@ namespace plan {
 /// unbounded sides lie at +-1e10, and single precision shows.
 csg::Aabb described_extent(const scene::Object& object);
 
-/// The same of an object that stands in the space `parent`. `growth`: of boxes turned into the world from there.
+/// Whether the boxes of CSG objects and clips take an operand for what it is without `inverse` or being subtracted:
+/// surfaces that have no inside, and the julia fractals of 3.7 (spec 5a, 7.3).
+bool box_ignores_inverse(const scene::Object& object);
+
+/// Whether an object's box has its lower corner above its upper one: a sphere of negative radius, until it is stretched
+/// (spec 5a, 5.1).
+bool box_inside_out(const scene::Object& object);
+
+/// described_extent() of an object that stands in the space `parent`. `growth`: of boxes turned into the world from
+/// there.
 csg::Aabb placed_extent(const scene::Object& object, const csg::Transform& parent, const scene::BoxGrowth& growth);
 
 /// Whether POV-Ray found a box for the quadric that an object is, if only an endless one: then it drops its bounds

@@ -113,6 +113,7 @@ void GeometryCompiler::tell_decisions()
     tell(split_unions_, "unions split into their operands", "nothing at top level needs them as one object");
     tell(pruning_.dropped, "operands of CSG left out", "their boxes do not meet what they cut or add to",
          LeanStep::Operands);
+    tell(lost_spheres_, "spheres of negative radius left out", "POV-Ray's boxes of them are inside out");
     tell(empty_programs_, "objects left out", "bounds of their operands leave nothing to draw", LeanStep::EmptyObjects);
     tell(out_.geometry.instances.size(), "copies of objects kept as such", "others before them show the same parts");
     tell(bounds_, "bounded_by left out", "the hierarchy bounds every object itself", LeanStep::Bounds);
@@ -187,11 +188,21 @@ void GeometryCompiler::add_operands(const scene::Csg& csg, const Inherited& own)
     for (std::size_t i = 0; i < count; ++i) add_top((*csg.operands)[outer_bounds_.nested ? count - 1 - i : i], own);
 }
 
+bool GeometryCompiler::lost_in_hierarchy(const scene::Object& object, const Inherited& own) const
+{
+    return box_inside_out(object) && !outer_bounds_.nested && bounding_active() &&
+           std::holds_alternative<csg::Sphere>(world_solid(object.shape, own.to_world));
+}
+
 void GeometryCompiler::add_top(const scene::Object& object, const Inherited& above)
 {
     if (is_light(object)) return;
     Inherited own = below(object, above);
     take_finish(object, own);
+    if (lost_in_hierarchy(object, own)) {
+        ++lost_spheres_;
+        return;
+    }
     if (!object.details->bounded_by.empty() && !object.details->bounded_by_clip) ++bounds_;
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     const bool whole = !object.details->clipped_by.empty() || object.inverse;

@@ -71,6 +71,9 @@ private:
     static csg::Aabb placed_extent(const scene::Object& object, const Inherited& own);
     bool drops_bounds(const scene::Object& object, bool inside_csg) const;
     bool bounding_active() const;
+    /// Whether POV-Ray's hierarchy never finds the object: a sphere whose radius is negative has its box inside out,
+    /// unless it was made an ellipsoid (spec 5a, 5.1).
+    bool lost_in_hierarchy(const scene::Object& object, const Inherited& own) const;
     /// Tells of the item that was added last what it holds without its own clips. `whole`: the item.
     void add_unclipped(csg::Tree whole);
     /// Keeps the item that was added last from holding a start of camera rays outside of POV-Ray's box of it.
@@ -192,7 +195,8 @@ private:
     std::uint32_t interior_copy_count_ = 0;
     std::unordered_map<const scene::MeshData*, SharedMesh> meshes_;
     std::shared_ptr<PhotonPlan> photons_;  ///< null: the scene has none
-    std::uint64_t split_unions_ = 0, empty_programs_ = 0, black_lights_ = 0, bounds_ = 0, guards_ = 0;
+    std::uint64_t split_unions_ = 0, lost_spheres_ = 0, empty_programs_ = 0, black_lights_ = 0, bounds_ = 0,
+                  guards_ = 0;
 };
 
 }  // namespace plan

@@ -77,13 +77,19 @@ bool finite(const scene::Object& part)
     return edge.x * edge.y * edge.z <= kFiniteVolume;
 }
 
-/// Whether an operand or a clip, however deep, is turned inside out: POV-Ray's box of it is that of what it leaves out.
+/// Whether an operand or a clip, however deep, is turned inside out, or its box: POV-Ray's box of it is not around it.
 bool turns_operand(const scene::Object& object)
 {
-    const auto turned = [](const scene::Object& part) { return part.inverse || turns_operand(part); };
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
-    return (csg != nullptr && std::any_of(csg->operands->begin(), csg->operands->end(), turned)) ||
-           std::any_of(object.details->clipped_by.begin(), object.details->clipped_by.end(), turned);
+    for (std::size_t i = 0; csg != nullptr && i < csg->operands->size(); ++i) {
+        const scene::Object& part = (*csg->operands)[i];
+        const bool subtracted = csg->op == scene::CsgOp::Difference && i > 0;
+        if (part.inverse || (subtracted && box_ignores_inverse(part)) || box_inside_out(part) || turns_operand(part))
+            return true;
+    }
+    const std::vector<scene::Object>& clips = object.details->clipped_by;
+    return std::any_of(clips.begin(), clips.end(),
+                       [](const scene::Object& clip) { return clip.inverse || turns_operand(clip); });
 }
 
 /// Whether POV-Ray's box of a CSG object may hold less than what is drawn of it: rays that miss the box are told of
@@ -190,7 +196,9 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
         }
     }
     for (const scene::Object& clip : object.details->clipped_by) {
-        if (clip.inverse || (turns_operand(clip) && !has_own_box(object) && !bounding_active())) continue;
+        if ((clip.inverse && !box_ignores_inverse(clip)) ||
+            (turns_operand(clip) && !has_own_box(object) && !bounding_active()))
+            continue;
         const csg::Aabb box = plan::placed_extent(clip, parent, own.parent_growth);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded))))
             guard.box = guard.box.intersected(box);

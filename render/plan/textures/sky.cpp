@@ -9,7 +9,7 @@ texture::Sky compile_sky(const scene::Description& scene, TextureCompiler& textu
     out.legacy = scene.effective_version < 370;
     out.background = scene.background;
     scene::Color& b = out.background;
-    if (out.legacy) {
+    if (scene.background_before_37 || (out.legacy && alpha_output)) {
         b.filter = 0.0f;
         b.transmit = alpha_output ? 1.0f : 0.0f;
     } else if (!alpha_output) {
