@@ -46,6 +46,7 @@ struct Options {
     int block_size = 32;                  ///< +BS; antialiasing depends on it as in POV-Ray
     bool split_unions = false;            ///< +SU: bounds of unions of finite parts are dropped
     bool last_bits = false;               ///< points of hits are rounded as 3.7 does; as 3.8 always, drawn as that
+    bool query = false;                   ///< one object, asked by trace() or inside(): without POV-Ray's hierarchy
     bool faithful = false;                ///< POV-Ray's constants where better ones are usual (docs/faithful.md)
     bool grain_stream =
         false;  ///< crand as POV-Ray on one thread: pixels depend on those before, so for one thread alone

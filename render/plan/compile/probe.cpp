@@ -34,6 +34,7 @@ CompiledScene compile_alone(const scene::Object& object, const scene::GlobalSett
     Options options;
     if (povray) alone.povray = *povray;
     options.last_bits = povray.has_value();
+    options.query = true;
     return compile(alone, options);
 }
 

@@ -190,7 +190,7 @@ void GeometryCompiler::add_operands(const scene::Csg& csg, const Inherited& own)
 
 bool GeometryCompiler::lost_in_hierarchy(const scene::Object& object, const Inherited& own) const
 {
-    return box_inside_out(object) && !outer_bounds_.nested && bounding_active() &&
+    return box_inside_out(object) && !options_.query && !outer_bounds_.nested && bounding_active() &&
            std::holds_alternative<csg::Sphere>(world_solid(object.shape, own.to_world));
 }
 
