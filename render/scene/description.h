@@ -55,6 +55,7 @@ struct Camera {
 struct SkySphere {
     std::vector<Pigment> layers;
     glm::vec3 emission{1};
+    csg::Transform moved;  ///< so far: of the whole sphere, so pigments that come after it are moved too
     SourceRef source;
 };
 

@@ -56,10 +56,15 @@ struct SkyState : StructState<scene::SkySphere> {
     void move(const csg::Transform& by)
     {
         for (scene::Pigment& layer : made.layers) layer.transform(by);
+        made.moved = by * made.moved;
     }
 };
 struct sky_pigment : item<Kind::Pigment, reads<pigment_block>> {
-    static void act(SkyState& s) { s.made.layers.push_back(read_pigment(s.build, scene::Pigment{})); }
+    static void act(SkyState& s)
+    {
+        s.made.layers.push_back(read_pigment(s.build, scene::Pigment{}));
+        s.made.layers.back().transform(s.made.moved);
+    }
 };
 using SkyBlock = block<Kind::SkySphere,
                        either<table<SkyState, sky_pigment, member<Kind::Emission, &scene::SkySphere::emission>>, moves>,
