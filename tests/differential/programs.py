@@ -18,8 +18,8 @@ class Result:
         self.rows, self.error, self.printed = rows, error, printed
 
 
-def render(program, folder, scene, size, tag):
-    """Renders folder/scene at `size` (width, height); files carry `tag`. Paths are relative so that printed text has none."""
+def render(program, folder, scene, size, tag, limit=TIME_LIMIT):
+    """Renders folder/scene at `size` (width, height) within `limit` seconds; files carry `tag`. Paths are relative so that printed text has none."""
     picture, printed = pathlib.Path(f"{scene}.{tag}.png"), pathlib.Path(f"{scene}.{tag}.txt")
     for left in (folder / picture, folder / printed):
         left.unlink(missing_ok=True)
@@ -27,9 +27,9 @@ def render(program, folder, scene, size, tag):
                "-GR", "-GS", f"+GD{printed}"]
     try:
         done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              timeout=TIME_LIMIT)
+                              timeout=limit)
     except subprocess.TimeoutExpired:
-        return Result(None, f"no picture after {TIME_LIMIT} s", "")
+        return Result(None, f"no picture after {limit} s", "")
     said = done.stdout.decode("latin1")
     text = (folder / printed).read_text("latin1") if (folder / printed).exists() else ""
     if done.returncode < 0:

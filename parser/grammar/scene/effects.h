@@ -10,6 +10,8 @@
 /// opening brace, the keyword being taken, and fails with a located message (parser::Error).
 namespace parser {
 
+class SceneBuilder;
+
 scene::Media read_media(SceneBuilder& build);
 scene::Density read_density(SceneBuilder& build);
 scene::Rainbow read_rainbow(SceneBuilder& build);

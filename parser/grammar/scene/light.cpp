@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace parser {
 namespace {
@@ -135,13 +136,13 @@ struct orient : item<Kind::Orient> {
         s.light().orient = true;
     }
 };
-/// An object within the light's statement; it is moved by `place` before its modifiers are read.
-std::shared_ptr<scene::Object> read_inner(LightState& s, const char* what, const glm::dvec3& place)
+/// An object within the light's statement. place: where it is moved before its modifiers are read.
+std::shared_ptr<scene::Object> read_inner(LightState& s, const char* what, std::optional<glm::dvec3> place = {})
 {
     const auto opened = s.build.open_block(what);
     auto object = read_object(s.build);
     if (!object) s.build.fail_unknown("an object");
-    object->transform_by(csg::Transform::translate(place));
+    if (place) object->transform_by(csg::Transform::translate(*place));
     read_modifiers(s.build, *object);
     s.build.close_block(what, opened);
     if (!object->drawn()) {
@@ -166,7 +167,7 @@ struct looks_like : item<Kind::LooksLike, reads<inner_block>> {
     }
 };
 struct projected_through : item<Kind::ProjectedThrough, reads<inner_block>> {
-    static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through", glm::dvec3(0)); }
+    static void act(LightState& s) { s.light().projected_through = read_inner(s, "projected_through"); }
 };
 struct light_photons : item<Kind::Photons, reads<light_photons_block>> {
     static void act(LightState& s)

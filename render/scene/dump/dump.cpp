@@ -257,7 +257,8 @@ std::string dump(const Description& d)
     if (d.povray == PovRay::V38) out.line("drawn as", "3.8");
     dump(out, d.global);
     dump(out, d.camera);
-    out.line("background", text(d.background) + (d.background_given ? "" : " (default)"));
+    const bool older = d.background_before_37 && d.effective_version >= 370;
+    out.line("background", text(d.background) + (!d.background_given ? " (default)" : older ? " (before 3.7)" : ""));
     if (d.sky_sphere) {
         out.open("sky_sphere");
         out.value("emission", d.sky_sphere->emission);

@@ -1,0 +1,1 @@
+"""Changes of scene texts: of numbers, words and blocks."""
