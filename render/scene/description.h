@@ -109,7 +109,7 @@ struct Description {
     std::vector<TexturePtr> default_textures;  ///< Object::default_texture
     Color background{0, 0, 0, 0, 1};
     bool background_given = false;
-    bool background_before_37 = false;  ///< the version where it stands
+    bool background_before_37 = false;  ///< the version in force where it stands
     std::optional<SkySphere> sky_sphere;
     std::vector<Fog> fogs;
     GlobalSettings global;

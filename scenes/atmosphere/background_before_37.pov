@@ -1,4 +1,4 @@
-// A background lets nothing through where it stands before the first #version, or below one of before 3.7.
+// A background that stands before the first #version, or under a version before 3.7, is opaque whatever it says.
 background { rgb <0.3, 0.5, 0.8> transmit 0.6 }
 #version 3.7;
 global_settings { assumed_gamma 1 }

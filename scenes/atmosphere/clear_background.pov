@@ -1,4 +1,4 @@
-// A picture with an alpha channel: a background that lets through by its filter and by its transmit, bare, mirrored and behind glass.
+// A picture with an alpha channel and a background with filter and transmit: seen directly, in a mirror and through glass.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1, -5> look_at 0 angle 45 }

@@ -1,4 +1,4 @@
-// A ground fog whose fog_alt is 0, as where nothing is said of it: full below its offset, none above, and no number on the way through.
+// Ground fog with a fog_alt of 0, the default: full below its offset, none above, and black where a ray crosses the offset.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1.6, -6> look_at <0, 0.8, 0> angle 50 }

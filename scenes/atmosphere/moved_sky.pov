@@ -1,4 +1,4 @@
-// What moves a sky sphere moves the pigments that are written after it too, also in a copy of a declared one.
+// Transformations of a sky_sphere also move the pigments written after them, in a copy of a declared one too.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 0, -5> look_at 0 right 2*x up 1.5*y angle 90 }

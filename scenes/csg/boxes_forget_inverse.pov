@@ -1,5 +1,5 @@
-// Boxes of CSG objects, beyond which nothing of them is seen. Height fields do not make them smaller. Surfaces and julia fractals do, also where they
-// are turned inside out or subtracted.
+// POV-Ray shows nothing of a CSG object beyond its box. Height fields do not make that box smaller; patches, polygons and julia fractals do, even
+// turned inside out or subtracted.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 4.2, -9> look_at <0, 0.1, 0> angle 45 }

@@ -6,7 +6,7 @@ usage: mutants.py run [--seeds A-B] [--scenes FOLDER...]    both programs render
        mutants.py cut SEED...                                the fewest of its changes by which the pictures still differ
 
 A seed draws one of the scenes in the folders (POV-Ray's examples and ours) and changes numbers, words and blocks of it. What uses chance in POV-Ray
-is left out, and what differs unchanged is not told. A picture agrees as in differential.py. Scenes that POV-Ray alone refuses are counted.
+is left out, and so is a scene that differs unchanged. A picture agrees as in differential.py. Scenes that POV-Ray alone refuses are counted.
 """
 import argparse
 import collections

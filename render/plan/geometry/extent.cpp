@@ -3,6 +3,7 @@
 #include "csg/freeform/freeform.h"
 #include "csg/tree/boxes/quadric_box.h"
 #include "render/plan/geometry/solids.h"
+#include "render/scene/inside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -209,7 +210,7 @@ csg::Aabb clip_box(const std::vector<scene::Object>& clips)
     csg::Aabb box = everything(), cut;
     for (const scene::Object& clip : clips) {
         if (half_space(clip, false, cut)) box = box.intersected(cut);
-        else if (!clip.inverse || box_ignores_inverse(clip)) box = box.intersected(extent(clip));
+        else if (!box_turned(clip)) box = box.intersected(extent(clip));
     }
     return box;
 }
@@ -270,7 +271,7 @@ void cut_box(const scene::Object& operand, bool subtracted, csg::Aabb& box)
 {
     csg::Aabb cut;
     if (!half_space(operand, subtracted, cut)) {
-        if (is_height_field(operand) || (operand.inverse != subtracted && !box_ignores_inverse(operand))) return;
+        if (is_height_field(operand) || box_turned(operand, subtracted)) return;
         cut = extent(operand);
         if (const scene::Quadric* const quadric = scene::quadric_of(operand))
             cut = smaller_quadric_box(cut, *quadric, *operand.transform,
@@ -298,7 +299,7 @@ csg::Aabb common(const std::vector<scene::Object>& bounds)
 {
     csg::Aabb box = everything();
     for (const scene::Object& bound : bounds)
-        if (!bound.inverse || box_ignores_inverse(bound)) box = box.intersected(extent(bound));
+        if (!box_turned(bound)) box = box.intersected(extent(bound));
     return box;
 }
 
@@ -327,17 +328,12 @@ bool box_inside_out(const scene::Object& object)
     return sphere != nullptr && sphere->radius < 0.0;
 }
 
-bool box_ignores_inverse(const scene::Object& object)
+bool box_turned(const scene::Object& operand, bool subtracted)
 {
-    const scene::Shape& shape = object.shape;
-    if (const auto* freeform = std::get_if<scene::Freeform>(&shape)) {
-        const auto& kind = freeform->shape->kind;
-        return std::holds_alternative<csg::Polygon>(kind) || std::holds_alternative<csg::Parametric>(kind) ||
-               std::holds_alternative<csg::BicubicPatch>(kind) ||
-               (std::holds_alternative<csg::Julia>(kind) && object.forgets_inverse);
-    }
-    return std::holds_alternative<scene::Triangle>(shape) ||
-           std::holds_alternative<scene::Shared<scene::SmoothTriangle>>(shape);
+    const scene::Shape& shape = operand.shape;
+    const bool lone = !std::holds_alternative<scene::Csg>(shape) && !std::holds_alternative<scene::Mesh>(shape);
+    if (lone && (operand.forgets_inverse || scene::is_patch(operand))) return false;
+    return operand.inverse != subtracted;
 }
 
 bool finds_quadric_box(const scene::Object& object, const scene::Quadric& quadric)

@@ -8,9 +8,9 @@ namespace plan {
 /// unbounded sides lie at +-1e10, and single precision shows.
 csg::Aabb described_extent(const scene::Object& object);
 
-/// Whether the boxes of CSG objects and clips take an operand for what it is without `inverse` or being subtracted:
-/// surfaces that have no inside, and the julia fractals of 3.7 (spec 5a, 7.3).
-bool box_ignores_inverse(const scene::Object& object);
+/// Whether an operand or a clip is turned inside out, so that it does not bound what it is part of. Patches, polygons
+/// and the julia fractals of 3.7 never count as turned, whether `inverse` or subtracted; meshes do (spec 5a, 7.3).
+bool box_turned(const scene::Object& operand, bool subtracted = false);
 
 /// Whether an object's box has its lower corner above its upper one: a sphere of negative radius, until it is stretched
 /// (spec 5a, 5.1).

@@ -77,14 +77,15 @@ bool finite(const scene::Object& part)
     return edge.x * edge.y * edge.z <= kFiniteVolume;
 }
 
-/// Whether an operand or a clip, however deep, is turned inside out, or its box: POV-Ray's box of it is not around it.
+/// Whether POV-Ray's box may not be around all that is drawn: an operand or a clip, however deep, or the box of one, is
+/// turned inside out.
 bool turns_operand(const scene::Object& object)
 {
     const auto* csg = std::get_if<scene::Csg>(&object.shape);
     for (std::size_t i = 0; csg != nullptr && i < csg->operands->size(); ++i) {
         const scene::Object& part = (*csg->operands)[i];
         const bool subtracted = csg->op == scene::CsgOp::Difference && i > 0;
-        if (part.inverse || (subtracted && box_ignores_inverse(part)) || box_inside_out(part) || turns_operand(part))
+        if (part.inverse || (subtracted && !box_turned(part, true)) || box_inside_out(part) || turns_operand(part))
             return true;
     }
     const std::vector<scene::Object>& clips = object.details->clipped_by;
@@ -196,9 +197,7 @@ csg::BoundingGuard GeometryCompiler::clip_guard(const scene::Object& object, con
         }
     }
     for (const scene::Object& clip : object.details->clipped_by) {
-        if ((clip.inverse && !box_ignores_inverse(clip)) ||
-            (turns_operand(clip) && !has_own_box(object) && !bounding_active()))
-            continue;
+        if (box_turned(clip) || (turns_operand(clip) && !has_own_box(object) && !bounding_active())) continue;
         const csg::Aabb box = plan::placed_extent(clip, parent, own.parent_growth);
         if (glm::all(glm::lessThan(glm::max(glm::abs(box.lower), glm::abs(box.upper)), glm::dvec3(kUnbounded))))
             guard.box = guard.box.intersected(box);
